@@ -1,0 +1,86 @@
+//! The one error type: each case carries its values, and its `Display` is a sentence that tells a visitor what to do.
+
+use num_complex::Complex64;
+
+/// Everything that can go wrong with a caller's input, or with a computation that noticed it failed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// Fewer than three distinct boundary points.
+    #[error("A region needs at least 3 distinct boundary points; this one has {found}.")]
+    TooFewVertices {
+        /// Distinct points found.
+        found: usize,
+    },
+    /// A coordinate is NaN or infinite.
+    #[error("{what} is not a finite point.")]
+    NotFinite {
+        /// Which point it is: "Boundary point 3", "The center", …
+        what: String,
+    },
+    /// Two edges of the boundary cross or touch.
+    #[error("The boundary crosses or touches itself: edge {first} meets edge {second} near ({:.6}, {:.6}).", .at.re, .at.im)]
+    SelfIntersecting {
+        /// Index of the first edge (edge k runs from vertex k to vertex k + 1).
+        first: usize,
+        /// Index of the second edge.
+        second: usize,
+        /// A point near the meeting place.
+        at: Complex64,
+    },
+    /// The center is not strictly inside the region.
+    #[error("The center ({:.6}, {:.6}) must lie inside the region.", .center.re, .center.im)]
+    CenterOutside {
+        /// The center given.
+        center: Complex64,
+    },
+    /// A frame whose width or pixel counts are not usable.
+    #[error("A frame needs a finite center, a positive finite width and at least 1x1 pixels: {reason}.")]
+    InvalidFrame {
+        /// What is wrong with it.
+        reason: &'static str,
+    },
+    /// A numeric option outside its range.
+    #[error("{name} must be {expected}; it is {value}.")]
+    InvalidOption {
+        /// The option's name as the caller wrote it.
+        name: &'static str,
+        /// What would be accepted.
+        expected: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// An array whose length does not fit its meaning.
+    #[error("{what} must have {expected} numbers; it has {found}.")]
+    WrongLength {
+        /// The array's name.
+        what: &'static str,
+        /// The length, or rule for it, that would be accepted.
+        expected: String,
+        /// The length given.
+        found: usize,
+    },
+    /// The caller's progress function asked to stop.
+    #[error("The computation was cancelled.")]
+    Cancelled,
+}
+
+impl Error {
+    /// A stable, machine-readable name of the case: what JavaScript sees as `error.code`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::TooFewVertices { .. } => "too-few-vertices",
+            Self::NotFinite { .. } => "not-finite",
+            Self::SelfIntersecting { .. } => "self-intersecting",
+            Self::CenterOutside { .. } => "center-outside",
+            Self::InvalidFrame { .. } => "invalid-frame",
+            Self::InvalidOption { .. } => "invalid-option",
+            Self::WrongLength { .. } => "wrong-length",
+            Self::Cancelled => "cancelled",
+        }
+    }
+}
+
+/// Results of this crate.
+pub type Result<T> = std::result::Result<T, Error>;

@@ -1,0 +1,46 @@
+//! Maps of the plane, each with its derivative: what a warp pulls a picture back through.
+
+use crate::plane::Complex64;
+
+/// A map's value at a point and its first derivatives there.
+///
+/// `f(z + h) ≈ value + dz·h + dzbar·h̄` (the Wirtinger derivatives): a conformal map has `dzbar` = 0, and `dz` = f'.
+/// Where the map is not defined, everything is NaN.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jet {
+    /// f(z).
+    pub value: Complex64,
+    /// ∂f/∂z; f'(z) where the map is analytic.
+    pub dz: Complex64,
+    /// ∂f/∂z̄; 0 where the map is analytic.
+    pub dzbar: Complex64,
+}
+
+impl Jet {
+    /// The jet of a point where the map has no value.
+    pub const UNDEFINED: Self = {
+        let nan = Complex64::new(f64::NAN, f64::NAN);
+        Self { value: nan, dz: nan, dzbar: nan }
+    };
+
+    /// The jet of an analytic map.
+    #[must_use]
+    pub fn analytic(value: Complex64, derivative: Complex64) -> Self {
+        Self { value, dz: derivative, dzbar: Complex64::ZERO }
+    }
+
+    /// The larger singular value of the Jacobian: how much the map stretches at most. |f'| for a conformal map.
+    #[must_use]
+    pub fn stretch(&self) -> f64 {
+        self.dz.norm() + self.dzbar.norm()
+    }
+}
+
+/// A map plane → plane, evaluated over blocks of points.
+///
+/// This is all that a warp knows of a map.
+pub trait PlaneMap {
+    /// Writes the jet of the map at `points[k]` to `jets[k]`; [`Jet::UNDEFINED`] outside the domain.
+    /// The two slices have the same length.
+    fn jets(&self, points: &[Complex64], jets: &mut [Jet]);
+}

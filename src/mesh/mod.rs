@@ -1,0 +1,1 @@
+//! Joint triangulations: the same connectivity on two point sets.

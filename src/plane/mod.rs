@@ -1,0 +1,10 @@
+//! The plane: complex points, frames (pixels ↔ plane), polygons and regions.
+
+mod frame;
+mod polygon;
+mod region;
+
+pub use frame::Frame;
+pub use num_complex::Complex64;
+pub use polygon::{BoundaryPoint, Polygon};
+pub use region::{Curve, Region};

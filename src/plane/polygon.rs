@@ -1,0 +1,318 @@
+//! Simple polygons, counter-clockwise.
+
+use super::Complex64;
+use crate::{Error, Result};
+use robust::{Coord, orient2d};
+
+/// A simple polygon with finite, distinct, counter-clockwise vertices. Collinear vertices are kept.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Polygon {
+    vertices: Vec<Complex64>,
+    /// `vertices` × `unit`: within the unit square, so that predicates neither overflow nor underflow.
+    scaled: Vec<Complex64>,
+    /// A power of two, so that scaling by it is exact.
+    unit: f64,
+}
+
+/// A point of the boundary: `vertices[edge] + t·(vertices[edge + 1] − vertices[edge])`, t in [0, 1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundaryPoint {
+    /// The edge it lies on.
+    pub edge: usize,
+    /// The share of the edge before it.
+    pub t: f64,
+    /// The point itself.
+    pub point: Complex64,
+}
+
+impl Polygon {
+    /// Checks that the vertices make a simple polygon and puts them in counter-clockwise order, the first one first.
+    /// A repeated vertex (also the last one repeating the first) is dropped.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::TooFewVertices`], [`Error::SelfIntersecting`].
+    pub fn new(vertices: &[Complex64]) -> Result<Self> {
+        if let Some(index) = vertices.iter().position(|v| !v.is_finite()) {
+            return Err(Error::NotFinite { what: format!("Boundary point {index}") });
+        }
+        let unit = power_of_two_below(1.0 / vertices.iter().map(|v| v.re.abs().max(v.im.abs())).fold(0.0, f64::max));
+        let mut scaled: Vec<Complex64> = Vec::with_capacity(vertices.len());
+        let mut kept: Vec<Complex64> = Vec::with_capacity(vertices.len());
+        for &v in vertices {
+            if scaled.last().is_none_or(|&last| !same_point(last, v * unit)) {
+                scaled.push(v * unit);
+                kept.push(v);
+            }
+        }
+        while scaled.len() > 1 && same_point(scaled[0], scaled[scaled.len() - 1]) {
+            scaled.pop();
+            kept.pop();
+        }
+        if scaled.len() < 3 {
+            return Err(Error::TooFewVertices { found: scaled.len() });
+        }
+        if let Some((first, second, at)) = first_crossing(&scaled) {
+            return Err(Error::SelfIntersecting { first, second, at: at / unit });
+        }
+        if signed_area(&scaled) < 0.0 {
+            scaled[1..].reverse();
+            kept[1..].reverse();
+        }
+        Ok(Self { vertices: kept, scaled, unit })
+    }
+
+    /// The vertices, counter-clockwise.
+    #[must_use]
+    pub fn vertices(&self) -> &[Complex64] {
+        &self.vertices
+    }
+
+    /// Number of vertices, and of edges.
+    #[must_use]
+    #[expect(clippy::len_without_is_empty, reason = "a polygon has at least 3 vertices")]
+    pub fn len(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// The ends of edge `k`: vertex k and its successor.
+    #[must_use]
+    pub fn edge(&self, k: usize) -> (Complex64, Complex64) {
+        (self.vertices[k], self.vertices[(k + 1) % self.len()])
+    }
+
+    /// Area enclosed, in square plane units.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        signed_area(&self.scaled) / self.unit / self.unit
+    }
+
+    /// Lower left and upper right corners of the bounding box.
+    #[must_use]
+    pub fn bounds(&self) -> (Complex64, Complex64) {
+        let first = self.vertices[0];
+        self.vertices.iter().fold((first, first), |(low, high), v| {
+            (Complex64::new(low.re.min(v.re), low.im.min(v.im)), Complex64::new(high.re.max(v.re), high.im.max(v.im)))
+        })
+    }
+
+    /// The larger side of the bounding box.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        let (low, high) = self.bounds();
+        (high.re - low.re).max(high.im - low.im)
+    }
+
+    /// Whether `z` lies inside; points of the boundary count as inside. False for NaN.
+    #[must_use]
+    pub fn contains(&self, z: Complex64) -> bool {
+        self.side(z).is_some_and(|inside| inside)
+    }
+
+    /// Whether `z` lies inside and not on the boundary.
+    #[must_use]
+    pub fn contains_strictly(&self, z: Complex64) -> bool {
+        self.side(z) == Some(true) && !self.on_boundary(z * self.unit)
+    }
+
+    /// The point of the boundary nearest to `z`.
+    #[must_use]
+    pub fn nearest(&self, z: Complex64) -> BoundaryPoint {
+        let z = z * self.unit;
+        let mut best = (f64::INFINITY, 0, 0.0, self.scaled[0]);
+        for k in 0..self.len() {
+            let (a, b) = (self.scaled[k], self.scaled[(k + 1) % self.len()]);
+            let t = (((z - a) * (b - a).conj()).re / (b - a).norm_sqr()).clamp(0.0, 1.0);
+            let point = a + (b - a) * t;
+            let distance = (z - point).norm_sqr();
+            if distance < best.0 {
+                best = (distance, k, t, point);
+            }
+        }
+        let (_, edge, t, point) = best;
+        if t == 1.0 {
+            let edge = (edge + 1) % self.len();
+            return BoundaryPoint { edge, t: 0.0, point: self.vertices[edge] };
+        }
+        BoundaryPoint { edge, t, point: if t == 0.0 { self.vertices[edge] } else { point / self.unit } }
+    }
+
+    /// Inside (boundary included), outside, or `None` for a point that is not finite. Crossing number.
+    fn side(&self, z: Complex64) -> Option<bool> {
+        let z = z * self.unit;
+        if !z.is_finite() {
+            return None;
+        }
+        let mut inside = false;
+        let mut a = self.scaled[self.len() - 1];
+        for &b in &self.scaled {
+            if (a.im <= z.im) != (b.im <= z.im) {
+                let turn = orient2d(coord(a), coord(b), coord(z));
+                if turn == 0.0 {
+                    return Some(true);
+                }
+                if (turn > 0.0) == (b.im > a.im) {
+                    inside = !inside;
+                }
+            }
+            a = b;
+        }
+        Some(inside || self.on_boundary(z))
+    }
+
+    fn on_boundary(&self, scaled: Complex64) -> bool {
+        let mut a = self.scaled[self.len() - 1];
+        self.scaled.iter().any(|&b| {
+            let hit = lies_on(scaled, a, b);
+            a = b;
+            hit
+        })
+    }
+}
+
+fn coord(z: Complex64) -> Coord<f64> {
+    Coord { x: z.re, y: z.im }
+}
+
+/// The largest power of two that is at most `x` (1 where `x` is not a positive finite number).
+fn power_of_two_below(x: f64) -> f64 {
+    if x.is_normal() && x > 0.0 { f64::from_bits(x.to_bits() & 0x7ff0_0000_0000_0000) } else { 1.0 }
+}
+
+/// Equal up to rounding of coordinates of size 1.
+fn same_point(a: Complex64, b: Complex64) -> bool {
+    (a - b).norm_sqr() <= (4.0 * f64::EPSILON) * (4.0 * f64::EPSILON)
+}
+
+fn signed_area(vertices: &[Complex64]) -> f64 {
+    let origin = vertices[0];
+    let mut twice = 0.0;
+    for pair in vertices[1..].windows(2) {
+        let (a, b) = (pair[0] - origin, pair[1] - origin);
+        twice += a.re * b.im - a.im * b.re;
+    }
+    0.5 * twice
+}
+
+/// Whether `p` lies on the closed segment ab.
+fn lies_on(p: Complex64, a: Complex64, b: Complex64) -> bool {
+    let within = |p: f64, a: f64, b: f64| p >= a.min(b) && p <= a.max(b);
+    within(p.re, a.re, b.re) && within(p.im, a.im, b.im) && orient2d(coord(a), coord(b), coord(p)) == 0.0
+}
+
+/// Whether the closed segments ab and cd share a point.
+fn segments_meet(a: Complex64, b: Complex64, c: Complex64, d: Complex64) -> bool {
+    let [a1, b1, c1, d1] = [a, b, c, d].map(coord);
+    let (abc, abd) = (orient2d(a1, b1, c1), orient2d(a1, b1, d1));
+    let (cda, cdb) = (orient2d(c1, d1, a1), orient2d(c1, d1, b1));
+    let opposite = |x: f64, y: f64| (x > 0.0 && y < 0.0) || (x < 0.0 && y > 0.0);
+    (opposite(abc, abd) && opposite(cda, cdb))
+        || lies_on(a, c, d)
+        || lies_on(b, c, d)
+        || lies_on(c, a, b)
+        || lies_on(d, a, b)
+}
+
+/// Two edges that share more than the vertex between them, by a sweep over x.
+fn first_crossing(vertices: &[Complex64]) -> Option<(usize, usize, Complex64)> {
+    let n = vertices.len();
+    let ends = |k: usize| (vertices[k], vertices[(k + 1) % n]);
+    let span = |k: usize| {
+        let (a, b) = ends(k);
+        (a.re.min(b.re), a.re.max(b.re), a.im.min(b.im), a.im.max(b.im))
+    };
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&i, &j| span(i).0.total_cmp(&span(j).0));
+    let mut active: Vec<usize> = Vec::new();
+    for &k in &order {
+        let (left, _, bottom, top) = span(k);
+        active.retain(|&j| span(j).1 >= left);
+        for &j in &active {
+            let (_, _, other_bottom, other_top) = span(j);
+            if other_bottom > top || other_top < bottom {
+                continue;
+            }
+            let (first, second) = (j.min(k), j.max(k));
+            let (a, b) = ends(first);
+            let (c, d) = ends(second);
+            let meet = if (first + 1) % n == second {
+                folds_back(a, b, d)
+            } else if (second + 1) % n == first {
+                folds_back(c, a, b)
+            } else {
+                segments_meet(a, b, c, d)
+            };
+            if meet {
+                return Some((first, second, meeting_point(a, b, c, d)));
+            }
+        }
+        active.push(k);
+    }
+    None
+}
+
+/// Whether the edges ab and bc, which share b, overlap.
+fn folds_back(a: Complex64, b: Complex64, c: Complex64) -> bool {
+    orient2d(coord(a), coord(b), coord(c)) == 0.0 && ((a - b) * (c - b).conj()).re > 0.0
+}
+
+fn meeting_point(a: Complex64, b: Complex64, c: Complex64, d: Complex64) -> Complex64 {
+    let cross = |u: Complex64, v: Complex64| u.re * v.im - u.im * v.re;
+    let t = cross(c - a, d - c) / cross(b - a, d - c);
+    if t.is_finite() { a + (b - a) * t.clamp(0.0, 1.0) } else { b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn points(xy: &[(f64, f64)]) -> Vec<Complex64> {
+        xy.iter().map(|&(x, y)| Complex64::new(x, y)).collect()
+    }
+
+    const SQUARE: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+
+    #[test]
+    fn clockwise_input_is_reversed_and_repeats_are_dropped() {
+        let square =
+            Polygon::new(&points(&[(0.0, 0.0), (0.0, 1.0), (0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (0.0, 0.0)])).unwrap();
+        assert_eq!(square.vertices(), points(&SQUARE));
+        assert_eq!(square.area(), 1.0);
+    }
+
+    #[test]
+    fn crossings_touches_and_folds_are_refused() {
+        let bad: [&[(f64, f64)]; 4] = [
+            &[(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)],
+            &[(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 0.0), (0.0, 2.0)],
+            &[(0.0, 0.0), (2.0, 0.0), (1.0, 0.0), (1.0, 1.0)],
+            &[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)],
+        ];
+        for xy in bad {
+            assert_eq!(Polygon::new(&points(xy)).unwrap_err().code(), "self-intersecting", "{xy:?}");
+        }
+        assert_eq!(Polygon::new(&points(&SQUARE[..2])).unwrap_err(), Error::TooFewVertices { found: 2 });
+        assert_eq!(Polygon::new(&points(&[(0.0, f64::NAN)])).unwrap_err().code(), "not-finite");
+    }
+
+    #[test]
+    fn contains_knows_the_boundary() {
+        for scale in [1e-150, 1e-3, 1.0, 1e150] {
+            let v: Vec<_> = points(&SQUARE).iter().map(|v| v * scale).collect();
+            let square = Polygon::new(&v).unwrap();
+            let at = |x: f64, y: f64| Complex64::new(x, y) * scale;
+            assert!(square.contains_strictly(at(0.5, 0.5)));
+            assert!(square.contains(at(1.0, 0.25)) && !square.contains_strictly(at(1.0, 0.25)));
+            assert!(square.contains(at(0.0, 0.0)) && square.contains(at(0.5, 1.0)));
+            assert!(!square.contains(at(1.0 + 1e-9, 0.5)) && !square.contains(at(0.5, f64::NAN)));
+        }
+    }
+
+    #[test]
+    fn nearest_point_names_its_edge() {
+        let square = Polygon::new(&points(&SQUARE)).unwrap();
+        let on = square.nearest(Complex64::new(0.25, -3.0));
+        assert_eq!((on.edge, on.t, on.point), (0, 0.25, Complex64::new(0.25, 0.0)));
+        let corner = square.nearest(Complex64::new(2.0, -1.0));
+        assert_eq!((corner.edge, corner.t, corner.point), (1, 0.0, Complex64::new(1.0, 0.0)));
+    }
+}

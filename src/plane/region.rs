@@ -1,0 +1,120 @@
+//! A simply connected region with the point and direction that make its Riemann map unique.
+
+use super::{BoundaryPoint, Complex64, Polygon};
+use crate::{Error, Result};
+
+/// How the boundary points are joined.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Curve {
+    /// By straight edges.
+    #[default]
+    Polygon,
+}
+
+/// A region bounded by a simple closed curve, a `center` inside it and a `toward` point on its boundary.
+///
+/// Its Riemann map takes `center` to 0 and `toward` to 1. Validated once here, trusted afterwards.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    polygon: Polygon,
+    curve: Curve,
+    center: Complex64,
+    toward: BoundaryPoint,
+}
+
+impl Region {
+    /// A region from its boundary points, in either orientation. `toward` is snapped to the nearest boundary point.
+    ///
+    /// ```
+    /// use conformal_warp::plane::{Complex64, Curve, Region};
+    /// let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Complex64::new(x, y));
+    /// let region = Region::new(&square, Curve::Polygon, Complex64::new(0.0, 0.0), Complex64::new(1.0, 0.0))?;
+    /// assert_eq!(region.toward().edge, 1);
+    /// # Ok::<(), conformal_warp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::TooFewVertices`] and [`Error::SelfIntersecting`] for the boundary;
+    /// [`Error::CenterOutside`] unless `center` is strictly inside.
+    pub fn new(boundary: &[Complex64], curve: Curve, center: Complex64, toward: Complex64) -> Result<Self> {
+        let polygon = Polygon::new(boundary)?;
+        for (what, point) in [("The center", center), ("The point toward", toward)] {
+            if !point.is_finite() {
+                return Err(Error::NotFinite { what: what.to_string() });
+            }
+        }
+        if !polygon.contains_strictly(center) {
+            return Err(Error::CenterOutside { center });
+        }
+        let toward = polygon.nearest(toward);
+        Ok(Self { polygon, curve, center, toward })
+    }
+
+    /// The same boundary with another center and direction.
+    ///
+    /// # Errors
+    /// As [`Region::new`].
+    pub fn with_center(&self, center: Complex64, toward: Complex64) -> Result<Self> {
+        Self::new(self.boundary(), self.curve, center, toward)
+    }
+
+    /// The boundary points, counter-clockwise.
+    #[must_use]
+    pub fn boundary(&self) -> &[Complex64] {
+        self.polygon.vertices()
+    }
+
+    /// The boundary as a polygon.
+    #[must_use]
+    pub fn polygon(&self) -> &Polygon {
+        &self.polygon
+    }
+
+    /// How the boundary points are joined.
+    #[must_use]
+    pub fn curve(&self) -> Curve {
+        self.curve
+    }
+
+    /// The point that goes to 0.
+    #[must_use]
+    pub fn center(&self) -> Complex64 {
+        self.center
+    }
+
+    /// The boundary point that goes to 1.
+    #[must_use]
+    pub fn toward(&self) -> BoundaryPoint {
+        self.toward
+    }
+
+    /// Whether `z` lies in the closed region.
+    #[must_use]
+    pub fn contains(&self, z: Complex64) -> bool {
+        self.polygon.contains(z)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TRIANGLE: [Complex64; 3] = [Complex64::new(0.0, 0.0), Complex64::new(4.0, 0.0), Complex64::new(0.0, 4.0)];
+
+    #[test]
+    fn toward_is_snapped_to_the_boundary() {
+        let region =
+            Region::new(&TRIANGLE, Curve::Polygon, Complex64::new(1.0, 1.0), Complex64::new(1.0, -2.0)).unwrap();
+        assert_eq!(region.toward().point, Complex64::new(1.0, 0.0));
+    }
+
+    #[test]
+    fn center_must_be_strictly_inside() {
+        for center in [Complex64::new(-1.0, 1.0), Complex64::new(2.0, 2.0), Complex64::new(0.0, 0.0)] {
+            let error = Region::new(&TRIANGLE, Curve::Polygon, center, Complex64::new(0.0, 0.0)).unwrap_err();
+            assert_eq!(error, Error::CenterOutside { center });
+        }
+        let nan = Complex64::new(f64::NAN, 0.0);
+        assert_eq!(Region::new(&TRIANGLE, Curve::Polygon, nan, TRIANGLE[0]).unwrap_err().code(), "not-finite");
+    }
+}

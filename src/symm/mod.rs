@@ -1,0 +1,1 @@
+//! Symm's equation: region → boundary correspondence.

@@ -1,0 +1,1 @@
+//! Textures and warps: from a map and a picture to pixels.
