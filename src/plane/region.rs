@@ -5,6 +5,7 @@ use crate::{Error, Result};
 
 /// How the boundary points are joined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Curve {
     /// By straight edges.
     #[default]

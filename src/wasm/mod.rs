@@ -1,1 +1,18 @@
 //! The JavaScript interface: convert, call, convert.
+//!
+//! One file a class; its documentation is written for JavaScript, where it becomes the package's types and their help.
+//! What the classes share: [`error`] (an error → `Error` with a `code`), [`options`] (plain objects →
+//! Rust structs, with errors in words), [`points`] (`Float64Array` ↔ complex numbers).
+
+pub mod error;
+pub mod options;
+pub mod points;
+pub mod region;
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Runs when the module is loaded: a panic, which would be a bug of ours, reaches the console with its message.
+#[wasm_bindgen(start, skip_typescript)]
+fn start() {
+    console_error_panic_hook::set_once();
+}

@@ -1,0 +1,74 @@
+//! Errors on their way to JavaScript: `Error` objects with a stable `code` and the values of the case.
+
+use super::points;
+use crate::Error;
+use js_sys::{Array, Reflect};
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPESCRIPT: &str = r#"
+/** What this package throws: a sentence for people, and a stable code for programs. */
+export interface ConformalWarpError extends Error {
+    /** The case, for example "self-intersecting", "center-outside", "invalid-option" or "cancelled". */
+    code: string;
+    /** Where in the plane it went wrong, if that is known. */
+    at?: [x: number, y: number];
+    /** "self-intersecting": the two edges that meet; edge k runs from vertex k to vertex k + 1. */
+    edges?: [number, number];
+    /** "invalid-option": the option's path, for example "view.width". */
+    option?: string;
+}
+"#;
+
+/// Something to throw: what every exported function returns as its error.
+#[derive(Debug)]
+pub struct Failure(JsValue);
+
+impl Failure {
+    /// An `Error` with a code.
+    #[must_use]
+    pub fn new(code: &str, message: &str) -> Self {
+        Self(js_sys::Error::new(message).into()).with("code", &code.into())
+    }
+
+    /// An option that cannot be used; `path` is its name, with dots for options inside options.
+    #[must_use]
+    pub fn option(path: &str, message: &str) -> Self {
+        Self::new("invalid-option", message).with("option", &path.into())
+    }
+
+    /// What a function of the caller's threw: passed on as it is.
+    #[must_use]
+    pub fn thrown(value: JsValue) -> Self {
+        Self(value)
+    }
+
+    /// The same with a property more.
+    #[must_use]
+    pub fn with(self, name: &str, value: &JsValue) -> Self {
+        // Setting a property of an object that was just made does not fail.
+        let _ = Reflect::set(&self.0, &name.into(), value);
+        self
+    }
+}
+
+impl From<Failure> for JsValue {
+    fn from(failure: Failure) -> Self {
+        failure.0
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        let failure = Self::new(error.code(), &error.to_string());
+        match error {
+            Error::SelfIntersecting { first, second, at } => failure
+                .with("edges", &Array::of2(&(first as f64).into(), &(second as f64).into()))
+                .with("at", &points::pair(at).into()),
+            Error::CenterOutside { center } => failure.with("at", &points::pair(center).into()),
+            Error::InvalidOption { name, .. } => failure.with("option", &name.into()),
+            _ => failure,
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Plain JavaScript objects → Rust structs. A wrong option is refused in words that name it.
+
+use super::error::Failure;
+use crate::plane::{Complex64, Frame};
+use js_sys::{Float64Array, Object};
+use serde::Deserialize;
+use serde::de::value::Error as Introspected;
+use serde::de::{DeserializeOwned, Deserializer, Error as _, Visitor};
+use tsify::{Ts, Tsify, serde_wasm_bindgen};
+use wasm_bindgen::{JsCast, JsValue};
+
+/// A point of the plane.
+#[derive(Clone, Copy, Debug, Tsify)]
+#[tsify(type = "[x: number, y: number]")]
+pub struct Point(#[tsify(type = "number")] Complex64);
+
+impl<'de> Deserialize<'de> for Point {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let [x, y] = two_numbers(from, "two numbers [x, y]")?;
+        Ok(Self(Complex64::new(x, y)))
+    }
+}
+
+impl From<Point> for Complex64 {
+    fn from(point: Point) -> Self {
+        point.0
+    }
+}
+
+/// Where a picture lies in the plane: the only place where pixels and the plane meet.
+///
+/// Pixels are square, pixel centres lie at +0.5, rows count downwards while the plane's y points up.
+#[derive(Clone, Copy, Debug, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+#[tsify(rename = "Frame")]
+pub struct FrameOptions {
+    /// The middle of the picture, in the plane.
+    pub center: Point,
+    /// Width in plane units; the height follows from `pixels`.
+    pub width: f64,
+    /// Columns and rows.
+    pub pixels: PixelCounts,
+}
+
+/// Columns and rows of a picture.
+#[derive(Clone, Copy, Debug, Tsify)]
+#[tsify(type = "[columns: number, rows: number]")]
+pub struct PixelCounts(#[tsify(type = "number")] [usize; 2]);
+
+impl<'de> Deserialize<'de> for PixelCounts {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        const EXPECTED: &str = "two whole numbers [columns, rows]";
+        let counts = two_numbers(from, EXPECTED)?;
+        if counts.iter().any(|n| n.fract() != 0.0 || *n < 0.0) {
+            return Err(D::Error::custom(format!("expected {EXPECTED}")));
+        }
+        Ok(Self(counts.map(|n| n as usize)))
+    }
+}
+
+impl TryFrom<FrameOptions> for Frame {
+    type Error = crate::Error;
+
+    fn try_from(FrameOptions { center, width, pixels }: FrameOptions) -> Result<Self, Self::Error> {
+        Self::new(center.into(), width, pixels.0)
+    }
+}
+
+/// An options object → `T`.
+///
+/// # Errors
+/// "invalid-option", with the option's path, for one that is unknown, missing or of the wrong kind.
+pub fn read<T: Tsify + DeserializeOwned>(given: &Ts<T>) -> Result<T, Failure> {
+    let value = given.js_value();
+    if !value.is_object() {
+        let known = field_names::<T>().join(", ");
+        return Err(Failure::option("", &format!("Options must be an object; its keys can be {known}.")));
+    }
+    refuse_unknown::<T>(&value)?;
+    serde_path_to_error::deserialize(serde_wasm_bindgen::Deserializer::from(value)).map_err(|error| {
+        let path = error.path().to_string();
+        let reason = error.inner().to_string();
+        let reason = reason.strip_prefix("Error: ").unwrap_or(&reason);
+        describe(&path, reason)
+    })
+}
+
+/// As [`read`], or the defaults where no options are given.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_or_default<T: Tsify + DeserializeOwned + Default>(given: Option<&Ts<T>>) -> Result<T, Failure> {
+    given.map_or_else(|| Ok(T::default()), read)
+}
+
+/// A misspelled option must not be silently ignored.
+fn refuse_unknown<T: DeserializeOwned>(value: &JsValue) -> Result<(), Failure> {
+    let known = field_names::<T>();
+    for key in Object::keys(value.unchecked_ref::<Object>()).iter().filter_map(|key| key.as_string()) {
+        if !known.contains(&key.as_str()) {
+            let message = format!("There is no option \"{key}\"; there are {}.", known.join(", "));
+            return Err(Failure::option(&key, &message));
+        }
+    }
+    Ok(())
+}
+
+fn describe(path: &str, reason: &str) -> Failure {
+    if let Some(name) = reason.strip_prefix("missing field `").and_then(|rest| rest.strip_suffix('`')) {
+        let path = if path == "." { name.to_string() } else { format!("{path}.{name}") };
+        return Failure::option(&path, &format!("The option \"{path}\" is missing."));
+    }
+    let reason = KINDS.iter().fold(reason.to_string(), |text, (rust, words)| text.replace(rust, words));
+    Failure::option(path, &format!("The option \"{path}\" cannot be used: {reason}."))
+}
+
+/// Serde's names of types, in words.
+const KINDS: [(&str, &str); 4] = [
+    ("expected f64", "expected a number"),
+    ("expected usize", "expected a whole number, 0 or more"),
+    ("unit value", "undefined or null"),
+    ("floating point", "number"),
+];
+
+/// The names of a struct's fields, as serde knows them: it hands them to whoever deserialises the struct.
+fn field_names<T: DeserializeOwned>() -> &'static [&'static str] {
+    struct Asking<'a>(&'a mut &'static [&'static str]);
+
+    impl<'de> Deserializer<'de> for Asking<'_> {
+        type Error = Introspected;
+
+        fn deserialize_struct<V: Visitor<'de>>(
+            self,
+            _name: &'static str,
+            fields: &'static [&'static str],
+            _visitor: V,
+        ) -> Result<V::Value, Self::Error> {
+            *self.0 = fields;
+            Err(Introspected::custom("only the names were asked for"))
+        }
+
+        fn deserialize_any<V: Visitor<'de>>(self, _visitor: V) -> Result<V::Value, Self::Error> {
+            Err(Introspected::custom("not a struct"))
+        }
+
+        serde::forward_to_deserialize_any! {
+            bool i8 i16 i32 i64 u8 u16 u32 u64 f32 f64 char str string bytes byte_buf option unit unit_struct
+            newtype_struct seq tuple tuple_struct map enum identifier ignored_any
+        }
+    }
+
+    let mut names: &'static [&'static str] = &[];
+    let _ = T::deserialize(Asking(&mut names));
+    names
+}
+
+/// An array, of whatever kind, that holds two numbers.
+fn two_numbers<'de, D: Deserializer<'de>>(from: D, expected: &str) -> Result<[f64; 2], D::Error> {
+    let value: JsValue = serde_wasm_bindgen::preserve::deserialize(from)?;
+    let numbers: Option<Vec<f64>> = match js_sys::try_iter(&value) {
+        Ok(Some(items)) if !value.is_string() => items.map(|item| item.ok()?.as_f64()).collect(),
+        _ => None,
+    };
+    numbers.and_then(|n| <[f64; 2]>::try_from(n).ok()).ok_or_else(|| D::Error::custom(format!("expected {expected}")))
+}
+
+/// For `#[serde(deserialize_with)]`: a `Float64Array`, copied.
+///
+/// # Errors
+/// The deserialiser's, for anything else.
+pub fn numbers<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    let value: JsValue = serde_wasm_bindgen::preserve::deserialize(from)?;
+    let array = value.dyn_into::<Float64Array>().map_err(|_| D::Error::custom("expected a Float64Array"))?;
+    Ok(array.to_vec())
+}
+
+/// For `#[serde(default, deserialize_with)]`: an object of a JavaScript class, passed through; none for undefined.
+///
+/// # Errors
+/// The deserialiser's, for an object of another class.
+pub fn object<'de, D: Deserializer<'de>, T: JsCast>(from: D) -> Result<Option<T>, D::Error> {
+    let value: JsValue = serde_wasm_bindgen::preserve::deserialize(from)?;
+    if value.is_undefined() || value.is_null() {
+        return Ok(None);
+    }
+    let class = std::any::type_name::<T>().rsplit("::").next().unwrap_or_default();
+    value.dyn_into().map(Some).map_err(|_| D::Error::custom(format!("expected a {class}")))
+}

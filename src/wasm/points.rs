@@ -1,0 +1,30 @@
+//! Complex numbers ↔ `Float64Array`: two consecutive numbers each, `[x0, y0, x1, y1, …]`.
+
+use crate::plane::Complex64;
+use crate::{Error, Result};
+use js_sys::Array;
+
+/// Consecutive pairs → complex numbers.
+///
+/// # Errors
+/// [`Error::WrongLength`] for an odd count, naming the array `what`.
+pub fn from_flat(what: &'static str, flat: &[f64]) -> Result<Vec<Complex64>> {
+    let (pairs, rest) = flat.as_chunks::<2>();
+    if !rest.is_empty() {
+        let expected = "an even count of".to_string();
+        return Err(Error::WrongLength { what, expected, found: flat.len() });
+    }
+    Ok(pairs.iter().map(|&[x, y]| Complex64::new(x, y)).collect())
+}
+
+/// Complex numbers → consecutive pairs.
+#[must_use]
+pub fn to_flat(points: &[Complex64]) -> Vec<f64> {
+    points.iter().flat_map(|z| [z.re, z.im]).collect()
+}
+
+/// A complex number → `[x, y]`.
+#[must_use]
+pub fn pair(z: Complex64) -> Array {
+    Array::of2(&z.re.into(), &z.im.into())
+}
