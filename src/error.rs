@@ -60,6 +60,34 @@ pub enum Error {
         /// The length given.
         found: usize,
     },
+    /// A picture whose pyramid would not fit into memory.
+    #[error("A picture of {width} x {height} pixels is too large; 8192 x 8192 is the most to rely on.")]
+    TextureTooLarge {
+        /// Columns.
+        width: usize,
+        /// Rows.
+        height: usize,
+    },
+    /// Rows that the view does not have.
+    #[error("The rows {start} to {end} are not rows of a view with {height}.")]
+    InvalidRows {
+        /// First row asked for.
+        start: usize,
+        /// The row after the last.
+        end: usize,
+        /// The view's rows.
+        height: usize,
+    },
+    /// A triangle that names a node which does not exist.
+    #[error("Triangle {triangle} names node {node}, but there are only {nodes} nodes.")]
+    InvalidTriangle {
+        /// Index of the triangle.
+        triangle: usize,
+        /// The node it names.
+        node: u32,
+        /// Number of nodes.
+        nodes: usize,
+    },
     /// The caller's progress function asked to stop.
     #[error("The computation was cancelled.")]
     Cancelled,
@@ -77,6 +105,9 @@ impl Error {
             Self::InvalidFrame { .. } => "invalid-frame",
             Self::InvalidOption { .. } => "invalid-option",
             Self::WrongLength { .. } => "wrong-length",
+            Self::TextureTooLarge { .. } => "texture-too-large",
+            Self::InvalidRows { .. } => "invalid-rows",
+            Self::InvalidTriangle { .. } => "invalid-triangle",
             Self::Cancelled => "cancelled",
         }
     }

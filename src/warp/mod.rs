@@ -1,1 +1,46 @@
 //! Textures and warps: from a map and a picture to pixels.
+//!
+//! A [`Texture`] is a mip pyramid, built once. Everything that can move a picture implements [`Warp`]; whatever it is,
+//! it only says which point of the texture each pixel shows and how large its footprint is there, and one set of
+//! samplers turns that into colours:
+//! ```text
+//! TriangleMesh ─► scan conversion ─► footprints ─► sampler (nearest … best) ─► RGBA
+//! ```
+
+mod light;
+mod mesh;
+mod options;
+mod outline;
+mod pyramid;
+mod raster;
+mod render;
+mod sampler;
+mod strip;
+mod texture;
+
+pub use light::Light;
+pub use mesh::TriangleMesh;
+pub use options::{Direction, Quality, WarpOptions};
+pub use texture::{Texture, Wrap};
+
+use crate::Result;
+
+/// What can move a picture.
+pub trait Warp {
+    /// Draws `texture` as the map shows it into `out`: RGBA bytes with straight alpha, 4 · columns · rows of them for
+    /// the rows of the view that the options name. Every byte of `out` is written.
+    ///
+    /// # Errors
+    /// [`crate::Error::WrongLength`] if `out` does not fit, [`crate::Error::InvalidRows`], and those of the map.
+    fn warp_into(&self, texture: &Texture, options: &WarpOptions, out: &mut [u8]) -> Result<()>;
+
+    /// [`Warp::warp_into`], into a new vector.
+    ///
+    /// # Errors
+    /// As [`Warp::warp_into`].
+    fn warp(&self, texture: &Texture, options: &WarpOptions) -> Result<Vec<u8>> {
+        let mut out = vec![0; options.output_len()?];
+        self.warp_into(texture, options, &mut out)?;
+        Ok(out)
+    }
+}

@@ -1,0 +1,73 @@
+//! How a picture is to be warped: frames, direction, quality, rows.
+
+use crate::plane::Frame;
+use crate::{Error, Result};
+use std::ops::Range;
+
+/// Which way a map is used.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// The view's point p shows the texture at f(p).
+    #[default]
+    PullBack,
+    /// The view's point f(z) shows the texture at z.
+    PushForward,
+}
+
+/// How texels become a pixel, from fast to good.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Quality {
+    /// The nearest texel.
+    Nearest,
+    /// The four nearest texels of the picture, weighted. Aliases where the picture shrinks.
+    Bilinear,
+    /// Bilinear in the two pyramid levels whose texels are nearest to the pixel's footprint, blended.
+    #[default]
+    Trilinear,
+    /// Four samples on a rotated grid in the pixel, each trilinear with half the footprint.
+    Best,
+}
+
+/// Everything about a warp but the map and the texture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WarpOptions {
+    /// Where the texture lies in the plane. Its pixel counts say only the shape: the texture is stretched over it.
+    pub texture: Frame,
+    /// Which part of the plane the output shows, and how many pixels it has.
+    pub view: Frame,
+    /// Which way the map is used.
+    pub direction: Direction,
+    /// How texels become a pixel.
+    pub quality: Quality,
+    /// The rows of the view to draw; `None` for all. Bands drawn apart make the same pixels as the whole.
+    pub rows: Option<Range<usize>>,
+}
+
+impl WarpOptions {
+    /// The texture in its frame, seen through the map in another: pull-back, trilinear, all rows.
+    #[must_use]
+    pub fn new(texture: Frame, view: Frame) -> Self {
+        Self { texture, view, direction: Direction::default(), quality: Quality::default(), rows: None }
+    }
+
+    /// The rows that will be drawn.
+    ///
+    /// # Errors
+    /// [`Error::InvalidRows`] unless the rows are some of the view's, in order.
+    pub fn checked_rows(&self) -> Result<Range<usize>> {
+        let [_, height] = self.view.pixels();
+        match self.rows.clone() {
+            None => Ok(0..height),
+            Some(rows) if rows.start <= rows.end && rows.end <= height => Ok(rows),
+            Some(rows) => Err(Error::InvalidRows { start: rows.start, end: rows.end, height }),
+        }
+    }
+
+    /// Bytes that the output needs: 4 a pixel.
+    ///
+    /// # Errors
+    /// As [`WarpOptions::checked_rows`].
+    pub fn output_len(&self) -> Result<usize> {
+        Ok(4 * self.view.pixels()[0] * self.checked_rows()?.len())
+    }
+}

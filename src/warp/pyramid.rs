@@ -1,0 +1,181 @@
+//! The levels of a mip pyramid: each half as wide and high as the one before, averaged exactly over texel areas.
+
+use super::texture::Wrap;
+
+/// Four channels, premultiplied by the fourth, 0..=[`super::light::FULL`].
+pub(crate) type Texel = [i16; 4];
+
+/// One level: where its texels lie in the pyramid's single array.
+///
+/// Every level has a border of one texel on each side, filled as the wrap mode says, so that a sampler may read the
+/// two neighbours of any point of the level without asking where it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Level {
+    /// Index of its first texel, the border's top left corner.
+    pub offset: usize,
+    /// Texels from one row to the next: `width` + 2.
+    pub stride: usize,
+    /// Columns without the border.
+    pub width: usize,
+    /// Rows without the border.
+    pub height: usize,
+    /// Texels of this level per texel of level 0, across and down: ½, ¼, … up to the rounding of odd sizes.
+    pub scale: [f32; 2],
+}
+
+impl Level {
+    /// Index of texel (column, row), the border's included: (0, 0) is its corner, (1, 1) the first inner texel.
+    fn index(&self, column: usize, row: usize) -> usize {
+        self.offset + row * self.stride + column
+    }
+
+    /// Texels with the border.
+    fn area(&self) -> usize {
+        self.stride * (self.height + 2)
+    }
+}
+
+/// The levels from `width` × `height` down to 1 × 1.
+pub(crate) fn levels(width: usize, height: usize) -> Vec<Level> {
+    let mut levels: Vec<Level> = Vec::new();
+    let (mut w, mut h) = (width, height);
+    loop {
+        let offset = levels.last().map_or(0, |last| last.offset + last.area());
+        let scale = [w as f32 / width as f32, h as f32 / height as f32];
+        levels.push(Level { offset, stride: w + 2, width: w, height: h, scale });
+        if w == 1 && h == 1 {
+            return levels;
+        }
+        (w, h) = ((w / 2).max(1), (h / 2).max(1));
+    }
+}
+
+/// Texels that the levels need together.
+pub(crate) fn total(levels: &[Level]) -> usize {
+    levels.iter().map(Level::area).sum()
+}
+
+/// Fills every level but the first from the one above it, and the borders of all.
+pub(crate) fn build(texels: &mut [Texel], levels: &[Level], wrap: Wrap) {
+    for pair in levels.windows(2) {
+        halve(texels, &pair[0], &pair[1]);
+    }
+    for level in levels {
+        fill_border(texels, level, wrap);
+    }
+}
+
+/// The inner texels of a row of a level.
+pub(crate) fn row_mut<'a>(texels: &'a mut [Texel], level: &Level, row: usize) -> &'a mut [Texel] {
+    let start = level.index(1, row + 1);
+    &mut texels[start..start + level.width]
+}
+
+/// Averages `fine` into `coarse`: rows first, into a line of sums, then columns.
+fn halve(texels: &mut [Texel], fine: &Level, coarse: &Level) {
+    let (above, below) = texels.split_at_mut(coarse.offset);
+    let mut line = vec![[0.0_f32; 4]; fine.width];
+    let columns = Halving::new(fine.width);
+    let rows = Halving::new(fine.height);
+    for row in 0..coarse.height {
+        line.fill([0.0; 4]);
+        for (source, weight) in rows.taps(row) {
+            let start = fine.index(1, source + 1);
+            for (sum, texel) in line.iter_mut().zip(&above[start..start + fine.width]) {
+                for channel in 0..4 {
+                    sum[channel] += weight * f32::from(texel[channel]);
+                }
+            }
+        }
+        let start = coarse.index(1, row + 1) - coarse.offset;
+        for (column, texel) in below[start..start + coarse.width].iter_mut().enumerate() {
+            let mut sum = [0.5_f32; 4];
+            for (source, weight) in columns.taps(column) {
+                for channel in 0..4 {
+                    sum[channel] += weight * line[source][channel];
+                }
+            }
+            *texel = sum.map(|s| s as i16);
+        }
+    }
+}
+
+/// Halving a length of n texels to m = ⌊n/2⌋ (at least 1) by area: output texel k is the mean over [k n/m, (k+1) n/m).
+struct Halving {
+    n: usize,
+    m: usize,
+}
+
+impl Halving {
+    fn new(n: usize) -> Self {
+        Self { n, m: (n / 2).max(1) }
+    }
+
+    /// The source texels of output texel `k` with their weights, whose sum is 1. An odd n = 2m + 1 has three.
+    fn taps(&self, k: usize) -> impl Iterator<Item = (usize, f32)> {
+        let (n, m) = (self.n as f32, self.m as f32);
+        let (count, weights) = match self.n {
+            1 => (1, [1.0, 0.0, 0.0]),
+            even if even % 2 == 0 => (2, [0.5, 0.5, 0.0]),
+            _ => (3, [(m - k as f32) / n, m / n, (k as f32 + 1.0) / n]),
+        };
+        (0..count).map(move |i| (2 * k + i, weights[i]))
+    }
+}
+
+/// Continues a level by one texel on each side.
+fn fill_border(texels: &mut [Texel], level: &Level, wrap: Wrap) {
+    let (w, h) = (level.width, level.height);
+    // Mirrored, the neighbour of the first texel is that texel itself, as when clamped.
+    let (before, after) = match wrap {
+        Wrap::Transparent => (None, None),
+        Wrap::Clamp | Wrap::Mirror => (Some([1, 1]), Some([w, h])),
+        Wrap::Repeat => (Some([w, h]), Some([1, 1])),
+    };
+    for row in 1..=h {
+        let fetch = |from: Option<[usize; 2]>| from.map_or([0; 4], |[column, _]| texels[level.index(column, row)]);
+        let (left, right) = (fetch(before), fetch(after));
+        texels[level.index(0, row)] = left;
+        texels[level.index(w + 1, row)] = right;
+    }
+    for (row, from) in [(0, before), (h + 1, after)] {
+        let to = level.index(0, row);
+        match from {
+            None => texels[to..to + level.stride].fill([0; 4]),
+            Some([_, source]) => {
+                let start = level.index(0, source);
+                texels.copy_within(start..start + level.stride, to);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halving_weights_sum_to_one_and_cover_every_texel_evenly() {
+        for n in [1, 2, 3, 4, 5, 7, 8, 15, 1411] {
+            let halving = Halving::new(n);
+            let mut share = vec![0.0; n];
+            for k in 0..halving.m {
+                let sum: f32 = halving.taps(k).map(|(_, weight)| weight).sum();
+                assert!((sum - 1.0).abs() < 1e-6, "{n} -> {}", halving.m);
+                halving.taps(k).for_each(|(source, weight)| share[source] += weight);
+            }
+            let expected = halving.m as f32 / n as f32;
+            assert!(share.iter().all(|s| (s - expected).abs() < 1e-6), "{n}: {share:?}");
+        }
+    }
+
+    #[test]
+    fn levels_end_at_one_texel() {
+        for size in [(1, 1), (1, 37), (640, 3), (8192, 8192)] {
+            let levels = levels(size.0, size.1);
+            let last = levels[levels.len() - 1];
+            assert_eq!((last.width, last.height), (1, 1));
+            assert_eq!(total(&levels), last.offset + 9);
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Scan conversion: a triangle of the view, with the texture over it, → pixels of a strip.
+
+use super::strip::Strip;
+
+/// A triangle's corner: where it lies in the view (pixels) and what it shows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    pub x: f64,
+    pub y: f64,
+    pub u: f64,
+    pub v: f64,
+    /// log₂ of the footprint's diameter in texels, to be interpolated over the triangle.
+    pub level: f64,
+}
+
+/// A quantity that varies linearly over the view: `value` at the first corner.
+#[derive(Clone, Copy)]
+struct Linear {
+    value: f64,
+    dx: f64,
+    dy: f64,
+}
+
+/// A triangle with its affine map view → texture.
+pub(super) struct Triangle {
+    corners: [Corner; 3],
+    u: Linear,
+    v: Linear,
+    level: Linear,
+}
+
+impl Triangle {
+    /// `None` for a triangle without area: its neighbours cover its pixels.
+    pub fn new(corners: [Corner; 3]) -> Option<Self> {
+        let [a, b, c] = &corners;
+        let (bx, by, cx, cy) = (b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
+        let area = bx * cy - by * cx;
+        if !area.is_normal() {
+            return None;
+        }
+        let linear = |of: fn(&Corner) -> f64| {
+            let (db, dc) = (of(b) - of(a), of(c) - of(a));
+            Linear { value: of(a), dx: (db * cy - dc * by) / area, dy: (dc * bx - db * cx) / area }
+        };
+        let (u, v, level) = (linear(|c| c.u), linear(|c| c.v), linear(|c| c.level));
+        Some(Self { corners, u, v, level })
+    }
+
+    /// Rows of the view whose pixel centres it may cover, within 0..`height`.
+    pub fn rows(&self, height: usize) -> std::ops::Range<usize> {
+        let ys = self.corners.map(|c| c.y);
+        let (low, high) = (ys[0].min(ys[1]).min(ys[2]), ys[0].max(ys[1]).max(ys[2]));
+        centres_between(low, high, height)
+    }
+
+    /// ∂u/∂x, ∂v/∂x, ∂u/∂y, ∂v/∂y: texels per pixel.
+    pub fn jacobian(&self) -> [f64; 4] {
+        [self.u.dx, self.v.dx, self.u.dy, self.v.dy]
+    }
+
+    /// Writes the pixels whose centre lies in the triangle; a centre on an edge belongs to the triangle on its right
+    /// or, on a level edge, below it. Triangles that share an edge compute the same crossing for it, to the bit, so
+    /// that each pixel inside a mesh is written exactly once.
+    pub fn draw(&self, strip: &mut Strip) {
+        let rows = self.rows(strip.first_row + strip.rows);
+        for row in rows.start.max(strip.first_row)..rows.end {
+            let y = row as f64 + 0.5;
+            let [a, b, c] = &self.corners;
+            let crossings = [crossing(a, b, y), crossing(b, c, y), crossing(c, a, y)];
+            let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
+            for x in crossings.into_iter().flatten() {
+                (left, right) = (left.min(x), right.max(x));
+            }
+            let columns = centres_between(left, right, strip.width);
+            if !columns.is_empty() {
+                self.draw_span(strip, row, columns);
+            }
+        }
+    }
+
+    fn draw_span(&self, strip: &mut Strip, row: usize, columns: std::ops::Range<usize>) {
+        let (x, y) = (columns.start as f64 + 0.5 - self.corners[0].x, row as f64 + 0.5 - self.corners[0].y);
+        let start = strip.start(row - strip.first_row);
+        let span = start + columns.start..start + columns.end;
+        let ramp = |plane: &mut [f32], linear: &Linear| {
+            let (first, step) = ((linear.value + x * linear.dx + y * linear.dy) as f32, linear.dx as f32);
+            for (k, value) in plane.iter_mut().enumerate() {
+                *value = first + k as f32 * step;
+            }
+        };
+        ramp(&mut strip.u[span.clone()], &self.u);
+        ramp(&mut strip.v[span.clone()], &self.v);
+        if strip.has_levels() {
+            ramp(&mut strip.level[span.clone()], &self.level);
+        }
+        if strip.has_jacobian() {
+            for (plane, slope) in strip.jacobian.iter_mut().zip(self.jacobian()) {
+                plane[span.clone()].fill(slope as f32);
+            }
+        }
+    }
+}
+
+/// Where the edge crosses the height y, if it does: half-open, so that a vertex counts once. The edge is taken from its
+/// upper end whichever triangle asks.
+fn crossing(a: &Corner, b: &Corner, y: f64) -> Option<f64> {
+    if (a.y <= y) == (b.y <= y) {
+        return None;
+    }
+    let (top, bottom) = if a.y <= b.y { (a, b) } else { (b, a) };
+    Some(top.x + (y - top.y) * ((bottom.x - top.x) / (bottom.y - top.y)))
+}
+
+/// The pixels of 0..`count` whose centre k + ½ lies in [low, high).
+fn centres_between(low: f64, high: f64, count: usize) -> std::ops::Range<usize> {
+    let index = |t: f64| (t - 0.5).ceil().clamp(0.0, count as f64) as usize;
+    index(low)..index(high)
+}
