@@ -88,6 +88,18 @@ pub enum Error {
         /// Number of nodes.
         nodes: usize,
     },
+    /// Parts of a mesh that numbers can no longer tell apart.
+    #[error("The maps crowd the mesh near ({:.6}, {:.6}) together beyond double precision; move the center closer, or simplify the outline there.", .at.re, .at.im)]
+    Crowded {
+        /// A point near the place, in the copy that is crowded.
+        at: Complex64,
+    },
+    /// A joint triangulation that is not one.
+    #[error("The mesh is not valid: {reason}.")]
+    InvalidMesh {
+        /// The first thing found wrong.
+        reason: String,
+    },
     /// The caller's progress function asked to stop.
     #[error("The computation was cancelled.")]
     Cancelled,
@@ -108,6 +120,8 @@ impl Error {
             Self::TextureTooLarge { .. } => "texture-too-large",
             Self::InvalidRows { .. } => "invalid-rows",
             Self::InvalidTriangle { .. } => "invalid-triangle",
+            Self::Crowded { .. } => "crowded",
+            Self::InvalidMesh { .. } => "invalid-mesh",
             Self::Cancelled => "cancelled",
         }
     }

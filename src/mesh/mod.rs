@@ -1,1 +1,25 @@
-//! Joint triangulations: the same connectivity on two point sets.
+//! Joint triangulations: the same connectivity on two point sets, affine in between.
+//!
+//! The paper's second method (section 3): sample a region, map the samples, triangulate, and carry the picture triangle
+//! by triangle. Each step is a file: [`MeshOptions`] say how densely, `scan` samples the interior, `ring` refines the
+//! boundary, `connect` makes triangles, `repair` refines until none is flipped, `validate` proves it.
+
+#![cfg_attr(not(test), expect(dead_code, reason = "called once the Riemann map is there"))]
+
+mod build;
+mod connect;
+mod density;
+mod draft;
+mod joint;
+mod options;
+mod quality;
+mod repair;
+mod ring;
+mod scan;
+mod side;
+#[cfg(test)]
+mod star;
+mod validate;
+
+pub use joint::{Evidence, JointTriangulation};
+pub use options::{Density, MeshOptions, Route};

@@ -1,0 +1,145 @@
+//! A joint triangulation in the making: nodes are added in pairs, then connected anew.
+
+use super::connect::connect;
+use super::joint::{Evidence, JointTriangulation, Shape};
+use super::ring::{Ring, RingNode};
+use super::side::{Outline, Side};
+use crate::Result;
+use crate::plane::{BoundaryPoint, Complex64};
+
+/// Nodes of both copies, the ring of those on the boundary, and the triangles over them.
+pub(super) struct Draft<'a> {
+    pub(super) sides: [&'a dyn Side; 2],
+    pub(super) outlines: [Outline<'a>; 2],
+    pub(super) source: Vec<Complex64>,
+    pub(super) target: Vec<Complex64>,
+    /// The boundary nodes, anticlockwise, each with its index.
+    pub(super) ring: Vec<(u32, RingNode)>,
+    /// Where on the ring a node is, for boundary nodes.
+    pub(super) places: Vec<Option<RingNode>>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) evidence: Evidence,
+}
+
+impl<'a> Draft<'a> {
+    /// The refined boundary, and `samples` of the source's interior with their images.
+    pub(super) fn new(source: &'a dyn Side, target: &'a dyn Side, spacing: f64) -> Result<Self> {
+        let ring = Ring::new(source, target, spacing)?;
+        let evidence = Evidence { moved: ring.moved, ..Evidence::default() };
+        Ok(Self {
+            sides: [source, target],
+            outlines: [Outline::new(source), Outline::new(target)],
+            source: ring.nodes.iter().map(|n| n.source.point).collect(),
+            target: ring.nodes.iter().map(|n| n.target.point).collect(),
+            places: ring.nodes.iter().copied().map(Some).collect(),
+            ring: ring.nodes.into_iter().enumerate().map(|(k, node)| (k as u32, node)).collect(),
+            triangles: Vec::new(),
+            evidence,
+        })
+    }
+
+    /// Source → target, through the disk. NaN where a map is not defined.
+    pub(super) fn forward(&self, points: &[Complex64]) -> Vec<Complex64> {
+        self.sides[1].to_region(&self.sides[0].to_disk(points))
+    }
+
+    /// Adds inner points of the source with their images; returns how many had one.
+    pub(super) fn add_inner(&mut self, points: &[Complex64]) -> usize {
+        let pairs: Vec<_> = points.iter().copied().zip(self.forward(points)).collect();
+        self.add_pairs(&pairs)
+    }
+
+    /// Adds inner nodes (source, target), except those that a map had no value for; returns how many.
+    pub(super) fn add_pairs(&mut self, pairs: &[(Complex64, Complex64)]) -> usize {
+        let before = self.source.len();
+        for &(z, w) in pairs.iter().filter(|(z, w)| z.is_finite() && w.is_finite()) {
+            self.source.push(z);
+            self.target.push(w);
+        }
+        self.places.resize(self.source.len(), None);
+        self.source.len() - before
+    }
+
+    /// For each node, the next one along the outline, or `u32::MAX` for an inner node.
+    pub(super) fn next_on_ring(&self) -> Vec<u32> {
+        let mut next = vec![u32::MAX; self.source.len()];
+        for k in 0..self.ring.len() {
+            next[self.ring[k].0 as usize] = self.ring[(k + 1) % self.ring.len()].0;
+        }
+        next
+    }
+
+    /// Adds a boundary node in the middle of each boundary edge that starts at a node of `starts` (in rising order);
+    /// returns how many edges could be split.
+    pub(super) fn split_boundary(&mut self, starts: &[u32]) -> usize {
+        let mut ring = Vec::with_capacity(self.ring.len() + starts.len());
+        for k in 0..self.ring.len() {
+            let (id, node) = self.ring[k];
+            ring.push((id, node));
+            if starts.binary_search(&id).is_err() {
+                continue;
+            }
+            if let Some(middle) = self.between(node, self.ring[(k + 1) % self.ring.len()].1) {
+                ring.push((self.source.len() as u32, middle));
+                self.source.push(middle.source.point);
+                self.target.push(middle.target.point);
+                self.places.push(Some(middle));
+            }
+        }
+        let added = ring.len() - self.ring.len();
+        self.ring = ring;
+        added
+    }
+
+    /// The boundary node halfway between two neighbours, measured where they are farther apart.
+    pub(super) fn between(&self, p: RingNode, q: RingNode) -> Option<RingNode> {
+        let [source, target] = &self.outlines;
+        let halfway = |outline: &Outline, a: BoundaryPoint, b: BoundaryPoint| {
+            let (from, mut to) = (outline.distance(a), outline.distance(b));
+            if to <= from {
+                to = outline.length();
+            }
+            (outline.at_distance(0.5 * (from + to)), from, to)
+        };
+        let (a, a_from, a_to) = halfway(source, p.source, q.source);
+        let (b, b_from, b_to) = halfway(target, p.target, q.target);
+        let strictly_between = |outline: &Outline, point: BoundaryPoint, from: f64, to: f64| {
+            let s = outline.distance(point);
+            let margin = 1e-3 * (to - from);
+            s > from + margin && s < to - margin
+        };
+        let node = if (a_to - a_from) / source.length() >= (b_to - b_from) / target.length() {
+            let image = self.sides[1].at_angle(self.sides[0].angle(a));
+            RingNode { source: a, target: if strictly_between(target, image, b_from, b_to) { image } else { b } }
+        } else {
+            let image = self.sides[0].at_angle(self.sides[1].angle(b));
+            RingNode { source: if strictly_between(source, image, a_from, a_to) { image } else { a }, target: b }
+        };
+        let ends = [(p.source, q.source, node.source), (p.target, q.target, node.target)];
+        ends.iter().all(|(p, q, m)| m.point != p.point && m.point != q.point).then_some(node)
+    }
+
+    /// Connects the nodes anew: a constrained Delaunay triangulation of the source.
+    pub(super) fn connect(&mut self) -> Result<()> {
+        let ring: Vec<u32> = self.ring.iter().map(|(id, _)| *id).collect();
+        self.triangles = connect(&self.source, &ring)?;
+        Ok(())
+    }
+
+    /// Size of each copy: what lengths are compared with.
+    pub(super) fn sizes(&self) -> [f64; 2] {
+        [self.outlines[0].length(), self.outlines[1].length()]
+    }
+
+    pub(super) fn finish(self) -> JointTriangulation {
+        let shape = |side: &dyn Side| side.polygon().cloned().map_or(Shape::Disk, Shape::Polygon);
+        JointTriangulation {
+            shapes: [shape(self.sides[0]), shape(self.sides[1])],
+            outline: self.ring.iter().map(|(id, _)| *id).collect(),
+            source: self.source,
+            target: self.target,
+            triangles: self.triangles,
+            evidence: self.evidence,
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! The joint triangulation: two point sets, one connectivity.
+
+use super::{quality, validate};
+use crate::Result;
+use crate::plane::{Complex64, Polygon};
+
+/// Source region → target region, affine in each triangle: the same triangles over two copies of the nodes.
+///
+/// Both copies are covered once, without overlap, and have the outlines that were drawn (the circle is replaced by
+/// the polygon of its nodes). Triangles are anticlockwise in both.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointTriangulation {
+    pub(super) source: Vec<Complex64>,
+    pub(super) target: Vec<Complex64>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) outline: Vec<u32>,
+    pub(super) shapes: [Shape; 2],
+    pub(super) evidence: Evidence,
+}
+
+/// The outline that a copy must have.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Shape {
+    Polygon(Polygon),
+    /// The unit disk, replaced by the polygon of the nodes on its circle.
+    Disk,
+}
+
+/// What the making of a joint triangulation found out about it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Evidence {
+    /// Triangles of the first connectivity that were flipped or degenerate in the target.
+    pub flipped_at_first: usize,
+    /// Nodes added to undo those flips.
+    pub added: usize,
+    /// Boundary nodes moved along an outline because the maps crowd them together beyond double precision.
+    pub moved: usize,
+    /// Largest distance, in plane units of the target, between the map and its affine pieces, measured at the middles of
+    /// edges and triangles.
+    pub largest_error: f64,
+}
+
+impl JointTriangulation {
+    /// A joint triangulation from its parts: two copies of the nodes, and triangles anticlockwise in both.
+    ///
+    /// ```
+    /// use conformal_warp::{mesh::JointTriangulation, plane::Complex64};
+    /// let source = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| Complex64::new(x, y)).to_vec();
+    /// let target = source.iter().map(|z| z * Complex64::i()).collect();
+    /// let mesh = JointTriangulation::from_parts(source, target, vec![[0, 1, 2]])?;
+    /// assert_eq!(mesh.outline(), [0, 1, 2]);
+    /// # Ok::<(), conformal_warp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`JointTriangulation::validate`].
+    pub fn from_parts(source: Vec<Complex64>, target: Vec<Complex64>, triangles: Vec<[u32; 3]>) -> Result<Self> {
+        validate::check_indices(&source, &target, &triangles)?;
+        let outline = validate::outline_of(&triangles)?;
+        let polygon = |points: &[Complex64]| {
+            let corners: Vec<_> = outline.iter().map(|&k| points[k as usize]).collect();
+            Polygon::new(&corners).map(Shape::Polygon)
+        };
+        let shapes = [polygon(&source)?, polygon(&target)?];
+        let mesh = Self { source, target, triangles, outline, shapes, evidence: Evidence::default() };
+        mesh.validate()?;
+        Ok(mesh)
+    }
+
+    /// The nodes in the source region, plane units.
+    #[must_use]
+    pub fn source(&self) -> &[Complex64] {
+        &self.source
+    }
+
+    /// The nodes in the target region, plane units.
+    #[must_use]
+    pub fn target(&self) -> &[Complex64] {
+        &self.target
+    }
+
+    /// Three nodes each, anticlockwise in both copies.
+    #[must_use]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// The nodes on the boundary, anticlockwise, from the one that goes to `toward`.
+    #[must_use]
+    pub fn outline(&self) -> &[u32] {
+        &self.outline
+    }
+
+    /// How much the map magnifies around each node, target over source: |f'| as the mesh sees it, finite at corners too.
+    #[must_use]
+    pub fn magnification(&self) -> Vec<f64> {
+        quality::magnification(&self.source, &self.target, &self.triangles)
+    }
+
+    /// The largest change of an angle by an affine piece, in radians: the mesh's quasi-conformal distortion.
+    #[must_use]
+    pub fn largest_angle_error(&self) -> f64 {
+        quality::largest_angle_error(&self.source, &self.target, &self.triangles)
+    }
+
+    /// Number of triangles that are flipped or degenerate in either copy: 0 unless something went wrong.
+    #[must_use]
+    pub fn flipped(&self) -> usize {
+        validate::flipped(&self.source, &self.target, &self.triangles)
+    }
+
+    /// What the making of the mesh found out.
+    #[must_use]
+    pub fn evidence(&self) -> Evidence {
+        self.evidence
+    }
+
+    /// Proves that both copies are triangulations of their outlines: every triangle anticlockwise, every inner edge
+    /// shared by exactly two triangles, the outline complete and simple, areas equal to the outlines' areas.
+    ///
+    /// # Errors
+    /// [`crate::Error::InvalidMesh`] with the first thing that is wrong.
+    pub fn validate(&self) -> Result<()> {
+        validate::validate(self)
+    }
+}

@@ -1,0 +1,246 @@
+//! The refinement of the boundary: one cyclic list of nodes on the outlines of both copies.
+
+use super::side::{Outline, Side};
+use crate::plane::BoundaryPoint;
+use crate::{Error, Result};
+use std::f64::consts::TAU;
+
+/// Nodes of one copy closer than this share of the outline's length are moved apart. They come from parts of the
+/// other copy that this one shrinks to nothing, so that the picture does not show the move.
+const CLOSEST: f64 = 1e-9;
+/// The same on the circle, where three neighbours must still make a triangle: its height is a quarter of the square.
+const CLOSEST_ON_CIRCLE: f64 = 1e-7;
+/// An outline's own point gives way to a corner that is closer than this share of the spacing.
+const CROWDED: f64 = 0.3;
+/// Two corners, one of each outline, closer than this share of the spacing in both copies become one node.
+const COINCIDENT: f64 = 1e-3;
+
+/// A boundary node: a point of both outlines.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RingNode {
+    pub(super) source: BoundaryPoint,
+    pub(super) target: BoundaryPoint,
+}
+
+/// The boundary nodes of a joint triangulation, anticlockwise from the pair of `toward` points.
+pub(super) struct Ring {
+    pub(super) nodes: Vec<RingNode>,
+    /// Nodes moved along an outline because the maps crowd them closer together than numbers can tell apart.
+    pub(super) moved: usize,
+}
+
+/// Where a boundary node came from, which decides what may be done with it.
+#[derive(Clone, Copy, PartialEq)]
+enum Origin {
+    /// A corner, or the `toward` point: must stay.
+    Corner,
+    /// A point between corners: may be dropped.
+    Division,
+}
+
+/// A node while the ring is being made: distances along both outlines, and whether each is a given or a computed one.
+#[derive(Clone, Copy)]
+struct Candidate {
+    angle: f64,
+    origin: Origin,
+    source: Place,
+    target: Place,
+}
+
+#[derive(Clone, Copy)]
+struct Place {
+    point: BoundaryPoint,
+    distance: f64,
+    /// The outline's own corner: cannot move.
+    fixed: bool,
+}
+
+impl Place {
+    /// The image of a point with this angle. Where rounding carries it across `toward`, the angle knows better.
+    fn image(point: BoundaryPoint, angle: f64, outline: &Outline) -> Self {
+        let distance = outline.distance(point);
+        let slack = 1e-6 * outline.length();
+        let distance = if angle < 1e-6 && distance > outline.length() - slack {
+            0.0
+        } else if angle > TAU - 1e-6 && distance < slack {
+            outline.length()
+        } else {
+            distance
+        };
+        Self { point, distance, fixed: false }
+    }
+}
+
+impl Ring {
+    /// The corners of both outlines, and points between them at most `spacing` apart along the source.
+    ///
+    /// # Errors
+    /// [`Error::Crowded`] where corners of one copy come so close together in the other that double precision
+    /// cannot place them one after the other.
+    pub(super) fn new(source: &dyn Side, target: &dyn Side, spacing: f64) -> Result<Self> {
+        let outlines = (&Outline::new(source), &Outline::new(target));
+        let own = candidates_of_source(source, target, outlines, spacing);
+        let others = candidates_of_target(source, target, outlines);
+        let reach = outlines.1.length() / outlines.0.length() * spacing;
+        let mut list = merge(own, others);
+        unite_coincident(&mut list, COINCIDENT * spacing, COINCIDENT * reach);
+        drop_crowded(&mut list, CROWDED * spacing, 1e-3 * reach);
+        let mut moved = vec![false; list.len()];
+        spread(&mut list, |c| &mut c.source, outlines.0, &mut moved)?;
+        spread(&mut list, |c| &mut c.target, outlines.1, &mut moved)?;
+        let nodes = list.iter().map(|c| RingNode { source: c.source.point, target: c.target.point }).collect();
+        Ok(Self { nodes, moved: moved.iter().filter(|&&m| m).count() })
+    }
+}
+
+/// The pair of `toward` points, then the source's corners and divisions with their places on the target.
+fn candidates_of_source(
+    source: &dyn Side,
+    target: &dyn Side,
+    (own, other): (&Outline, &Outline),
+    spacing: f64,
+) -> Vec<Candidate> {
+    let toward = Candidate {
+        angle: 0.0,
+        origin: Origin::Corner,
+        source: Place { point: source.toward(), distance: 0.0, fixed: true },
+        target: Place { point: target.toward(), distance: 0.0, fixed: true },
+    };
+    let carried = |(point, origin): (BoundaryPoint, Origin)| {
+        let angle = source.angle(point);
+        Candidate {
+            angle,
+            origin,
+            source: Place { point, distance: own.distance(point), fixed: origin == Origin::Corner },
+            target: Place::image(target.at_angle(angle), angle, other),
+        }
+    };
+    let corners = own.corners().into_iter().map(|point| (point, Origin::Corner));
+    let divisions = own.divisions(spacing).into_iter().map(|point| (point, Origin::Division));
+    let mut list = vec![toward];
+    list.extend(corners.chain(divisions).map(carried).filter(|c| c.source.distance > 0.0));
+    list.sort_by(|p, q| p.source.distance.total_cmp(&q.source.distance));
+    keep_order(&mut list);
+    list
+}
+
+/// The target's corners with their places on the source.
+fn candidates_of_target(source: &dyn Side, target: &dyn Side, (own, other): (&Outline, &Outline)) -> Vec<Candidate> {
+    let carried = |point: BoundaryPoint| {
+        let angle = target.angle(point);
+        Candidate {
+            angle,
+            origin: Origin::Corner,
+            source: Place::image(source.at_angle(angle), angle, own),
+            target: Place { point, distance: other.distance(point), fixed: true },
+        }
+    };
+    let mut list: Vec<_> = other.corners().into_iter().map(carried).filter(|c| c.target.distance > 0.0).collect();
+    list.sort_by(|p, q| p.target.distance.total_cmp(&q.target.distance));
+    keep_order(&mut list);
+    list
+}
+
+/// Angles of points in their order along an outline rise; rounding may not say otherwise.
+fn keep_order(list: &mut [Candidate]) {
+    let mut largest: f64 = 0.0;
+    for candidate in list {
+        largest = largest.max(candidate.angle);
+        candidate.angle = largest;
+    }
+}
+
+/// Two lists with rising angles → one.
+fn merge(own: Vec<Candidate>, others: Vec<Candidate>) -> Vec<Candidate> {
+    let mut list: Vec<_> = own.into_iter().chain(others).collect();
+    list.sort_by(|p, q| p.angle.total_cmp(&q.angle)); // stable: equal angles keep each outline's order
+    list
+}
+
+/// A corner of one outline that falls onto a corner of the other makes one node with it.
+fn unite_coincident(list: &mut Vec<Candidate>, source_reach: f64, target_reach: f64) {
+    let corners: Vec<Candidate> = list.iter().copied().filter(|c| c.origin == Origin::Corner).collect();
+    let mut kept: Vec<Candidate> = Vec::with_capacity(corners.len());
+    for next in corners {
+        if let Some(last) = kept.last_mut() {
+            let one_of_each = last.source.fixed != next.source.fixed && last.target.fixed != next.target.fixed;
+            let close = (next.source.point.point - last.source.point.point).norm() <= source_reach
+                && (next.target.point.point - last.target.point.point).norm() <= target_reach;
+            if one_of_each && close {
+                *last = Candidate {
+                    source: if last.source.fixed { last.source } else { next.source },
+                    target: if last.target.fixed { last.target } else { next.target },
+                    ..*last
+                };
+                continue;
+            }
+        }
+        kept.push(next);
+    }
+    kept.extend(list.iter().filter(|c| c.origin == Origin::Division));
+    kept.sort_by(|p, q| p.angle.total_cmp(&q.angle));
+    *list = kept;
+}
+
+/// Drops divisions that are too close to a neighbour to be worth a node, in either copy.
+fn drop_crowded(list: &mut Vec<Candidate>, source_gap: f64, target_gap: f64) {
+    let close = |p: &Candidate, q: &Candidate| {
+        (p.source.point.point - q.source.point.point).norm() < source_gap
+            || (p.target.point.point - q.target.point.point).norm() < target_gap
+    };
+    let mut kept: Vec<Candidate> = Vec::with_capacity(list.len());
+    for &next in list.iter() {
+        let crowds_last = kept.last().is_some_and(|last| close(last, &next));
+        if next.origin == Origin::Division {
+            if !crowds_last {
+                kept.push(next);
+            }
+            continue;
+        }
+        while kept.last().is_some_and(|last| last.origin == Origin::Division && close(last, &next)) {
+            kept.pop();
+        }
+        kept.push(next);
+    }
+    while kept.last().is_some_and(|last| last.origin == Origin::Division && close(last, &kept[0])) {
+        kept.pop();
+    }
+    *list = kept;
+}
+
+/// Makes the distances along one outline rise strictly, moving only points that are not its own.
+fn spread(
+    list: &mut [Candidate],
+    place: impl Fn(&mut Candidate) -> &mut Place,
+    outline: &Outline,
+    moved: &mut [bool],
+) -> Result<()> {
+    let closest = if outline.is_polygon() { CLOSEST } else { CLOSEST_ON_CIRCLE } * outline.length();
+    let mut start = 0;
+    while start < list.len() {
+        let from = place(&mut list[start]).distance;
+        let mut end = start + 1;
+        while end < list.len() && !place(&mut list[end]).fixed {
+            end += 1;
+        }
+        let to = if end < list.len() { place(&mut list[end]).distance } else { outline.length() };
+        let between = end - start;
+        let gap = closest.min(0.5 * (to - from) / between as f64);
+        if gap <= 4.0 * f64::EPSILON * outline.length() {
+            return Err(Error::Crowded { at: place(&mut list[start]).point.point });
+        }
+        for k in start + 1..end {
+            let least = from + gap * (k - start) as f64;
+            let most = to - gap * (end - k) as f64;
+            let before = if k == start + 1 { from } else { place(&mut list[k - 1]).distance };
+            let node = place(&mut list[k]);
+            let distance = node.distance.clamp(least.max(before + gap).min(most), most);
+            if distance != node.distance {
+                *node = Place { point: outline.at_distance(distance), distance, fixed: false };
+                moved[k] = true;
+            }
+        }
+        start = end;
+    }
+    Ok(())
+}
