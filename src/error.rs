@@ -100,6 +100,16 @@ pub enum Error {
         /// The first thing found wrong.
         reason: String,
     },
+    /// Harmonic measure came out negative somewhere: the region could not be resolved in double precision.
+    #[error(
+        "No trustworthy map of this region was found: a part of its boundary got the harmonic measure {mass:.2e}, where only rounding below {estimate:.1e} would be acceptable. Allow more unknowns, or move the center away from the boundary."
+    )]
+    NegativeMass {
+        /// The smallest mass of a panel.
+        mass: f64,
+        /// The error estimate that it exceeds.
+        estimate: f64,
+    },
     /// The caller's progress function asked to stop.
     #[error("The computation was cancelled.")]
     Cancelled,
@@ -122,6 +132,7 @@ impl Error {
             Self::InvalidTriangle { .. } => "invalid-triangle",
             Self::Crowded { .. } => "crowded",
             Self::InvalidMesh { .. } => "invalid-mesh",
+            Self::NegativeMass { .. } => "negative-mass",
             Self::Cancelled => "cancelled",
         }
     }

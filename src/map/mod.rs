@@ -1,6 +1,11 @@
 //! Maps of the plane, each with its derivative: what a warp pulls a picture back through.
 
+mod riemann;
+
 use crate::plane::Complex64;
+
+pub use crate::symm::solve::{Progress, SolveOptions, Stop};
+pub use riemann::RiemannMap;
 
 /// A map's value at a point and its first derivatives there.
 ///

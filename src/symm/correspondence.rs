@@ -1,0 +1,148 @@
+//! The boundary correspondence: boundary of the region ↔ angle on the circle.
+
+use super::discretisation::Discretisation;
+use super::legendre::{MAX_NODES, legendre};
+use crate::plane::Complex64;
+use std::f64::consts::TAU;
+
+/// Harmonic measure along the boundary, seen from one center: on every panel a polynomial in its corner variable.
+///
+/// θ(s) = 2π μ([vertex 0, s]), up to the rotation that puts `toward` at angle 0.
+#[derive(Clone, Debug)]
+pub struct BoundaryCorrespondence {
+    /// Unknowns a panel.
+    p: usize,
+    /// Legendre coefficients of dμ/dτ on [0, 1], p a panel.
+    coefficients: Vec<f64>,
+    /// Measure from vertex 0 to where each panel begins in boundary order; one more entry at the end.
+    starts: Vec<f64>,
+    /// First panel of each edge; one more entry at the end.
+    edge_starts: Vec<usize>,
+}
+
+impl BoundaryCorrespondence {
+    /// From the node masses that solve Symm's equation; they are scaled to total mass 1.
+    #[must_use]
+    pub fn new(discretisation: &Discretisation, masses: &[f64]) -> Self {
+        let order = &discretisation.order;
+        let p = order.p();
+        let total: f64 = masses.iter().sum();
+        let mut coefficients = Vec::with_capacity(masses.len());
+        let mut starts = vec![0.0];
+        for masses in masses.chunks_exact(p) {
+            let density: Vec<f64> =
+                masses.iter().zip(&order.panel.weights).map(|(mass, w)| 2.0 * mass / (w * total)).collect();
+            for k in 0..p {
+                coefficients.push(order.panel.coefficient_row(k).iter().zip(&density).map(|(t, g)| t * g).sum());
+            }
+            starts.push(starts[starts.len() - 1] + masses.iter().sum::<f64>() / total);
+        }
+        let edges = discretisation.boundary.len();
+        let mut edge_starts = vec![0; edges + 1];
+        for panel in &discretisation.panels {
+            edge_starts[panel.edge + 1] += 1;
+        }
+        for edge in 0..edges {
+            edge_starts[edge + 1] += edge_starts[edge];
+        }
+        Self { p, coefficients, starts, edge_starts }
+    }
+
+    /// Legendre coefficients of dμ/dτ on panel `q`.
+    #[must_use]
+    pub fn coefficients(&self, q: usize) -> &[f64] {
+        &self.coefficients[q * self.p..][..self.p]
+    }
+
+    /// The smallest mass of a panel: negative if the discretisation failed.
+    #[must_use]
+    pub fn smallest_mass(&self) -> f64 {
+        self.starts.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Measure from vertex 0 to each vertex.
+    #[must_use]
+    pub fn vertex_measures(&self) -> Vec<f64> {
+        self.edge_starts[..self.edge_starts.len() - 1].iter().map(|&q| self.starts[q]).collect()
+    }
+
+    /// Panels of an edge, in boundary order.
+    #[must_use]
+    pub fn panels_of_edge(&self, edge: usize) -> std::ops::Range<usize> {
+        self.edge_starts[edge]..self.edge_starts[edge + 1]
+    }
+
+    /// Measure from vertex 0 to the point at τ of panel `q`.
+    #[must_use]
+    pub fn measure(&self, discretisation: &Discretisation, q: usize, tau: f64) -> f64 {
+        self.complex_measure(discretisation, q, Complex64::new(tau, 0.0)).re
+    }
+
+    /// The same, continued analytically to complex τ: 2π times it is −i log f beside the boundary.
+    #[must_use]
+    pub fn complex_measure(&self, discretisation: &Discretisation, q: usize, tau: Complex64) -> Complex64 {
+        let within = self.mass_up_to(q, tau);
+        if discretisation.panels[q].outgoing { self.starts[q] + within } else { self.starts[q + 1] - within }
+    }
+
+    /// ∫₀^τ dμ on panel `q`, by ∫Pₖ = (P₍ₖ₊₁₎ − P₍ₖ₋₁₎)/(2k+1).
+    fn mass_up_to(&self, q: usize, tau: Complex64) -> Complex64 {
+        let x = 2.0 * tau - 1.0;
+        let coefficients = self.coefficients(q);
+        let (mut before, mut here) = (Complex64::new(1.0, 0.0), x);
+        let mut sum = (x + 1.0) * coefficients[0];
+        for (k, c) in coefficients.iter().enumerate().skip(1) {
+            let k = k as f64;
+            let after = (x * here * (2.0 * k + 1.0) - before * k) / (k + 1.0);
+            sum += (after - before) * (c / (2.0 * k + 1.0));
+            (before, here) = (here, after);
+        }
+        0.5 * sum
+    }
+
+    /// Measure → the panel and τ where it is reached; the inverse of [`BoundaryCorrespondence::measure`].
+    #[must_use]
+    pub fn locate(&self, discretisation: &Discretisation, measure: f64) -> (usize, f64) {
+        let measure = measure.rem_euclid(1.0);
+        let q = (self.starts.partition_point(|&start| start <= measure).max(1) - 1).min(self.starts.len() - 2);
+        let (mut low, mut high) = (0.0, 1.0);
+        let outgoing = discretisation.panels[q].outgoing;
+        let mut tau = (measure - self.starts[q]) / (self.starts[q + 1] - self.starts[q]);
+        if !outgoing {
+            tau = 1.0 - tau;
+        }
+        // Newton's method, kept inside the bracket by bisection.
+        for _ in 0..80 {
+            let miss = self.measure(discretisation, q, tau) - measure;
+            if (miss > 0.0) == outgoing {
+                high = tau;
+            } else {
+                low = tau;
+            }
+            let density = self.density(q, tau) * if outgoing { 1.0 } else { -1.0 };
+            let newton = tau - miss / density;
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if (next - tau).abs() <= 2.0 * f64::EPSILON * tau.abs() {
+                return (q, next);
+            }
+            tau = next;
+        }
+        (q, tau)
+    }
+
+    /// dμ/dτ at τ of panel `q`.
+    #[must_use]
+    pub fn density(&self, q: usize, tau: f64) -> f64 {
+        let mut p = [0.0; MAX_NODES];
+        let p = &mut p[..self.p];
+        legendre(2.0 * tau - 1.0, p);
+        p.iter().zip(self.coefficients(q)).map(|(p, c)| p * c).sum()
+    }
+}
+
+/// Measure → angle in [0, 2π).
+#[must_use]
+pub fn angle_of_measure(measure: f64) -> f64 {
+    let share = measure.rem_euclid(1.0);
+    if share == 1.0 { 0.0 } else { TAU * share }
+}

@@ -1,0 +1,105 @@
+//! Legendre polynomials and Gauss's rule: how a panel stores its density.
+
+/// Writes P₀(x) … P₍ₙ₋₁₎(x) into `values` (n = its length).
+pub fn legendre(x: f64, values: &mut [f64]) {
+    let (mut previous, mut current) = (0.0, 1.0);
+    for (k, value) in values.iter_mut().enumerate() {
+        *value = current;
+        let k = k as f64;
+        (previous, current) = (current, ((2.0 * k + 1.0) * x * current - k * previous) / (k + 1.0));
+    }
+}
+
+/// Gauss–Legendre nodes and weights on [−1, 1], with the maps between nodal values and Legendre coefficients.
+#[derive(Clone, Debug)]
+pub struct GaussRule {
+    /// Nodes, ascending.
+    pub nodes: Vec<f64>,
+    /// Weights; their sum is 2.
+    pub weights: Vec<f64>,
+    /// Row-major n × n: coefficient k = Σ_j `to_coefficients[k·n + j]` · value at node j.
+    to_coefficients: Vec<f64>,
+}
+
+impl GaussRule {
+    /// The rule with `n` nodes: roots of Pₙ by Newton's method from Chebyshev's guess.
+    #[must_use]
+    pub fn new(n: usize) -> Self {
+        let mut p = vec![0.0; n + 1];
+        let mut nodes = vec![0.0; n];
+        let mut weights = vec![0.0; n];
+        for j in 0..n {
+            let mut x = -((j as f64 + 0.75) / (n as f64 + 0.5) * std::f64::consts::PI).cos();
+            let mut slope = 1.0;
+            for _ in 0..8 {
+                legendre(x, &mut p);
+                slope = n as f64 * (p[n - 1] - x * p[n]) / (1.0 - x * x);
+                x -= p[n] / slope;
+            }
+            nodes[j] = x;
+            weights[j] = 2.0 / ((1.0 - x * x) * slope * slope);
+        }
+        let mut to_coefficients = vec![0.0; n * n];
+        for j in 0..n {
+            legendre(nodes[j], &mut p[..n]);
+            for k in 0..n {
+                to_coefficients[k * n + j] = (k as f64 + 0.5) * weights[j] * p[k];
+            }
+        }
+        Self { nodes, weights, to_coefficients }
+    }
+
+    /// Number of nodes.
+    #[must_use]
+    #[expect(clippy::len_without_is_empty, reason = "a rule has at least one node")]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Row k of the matrix nodal values → Legendre coefficients.
+    #[must_use]
+    pub fn coefficient_row(&self, k: usize) -> &[f64] {
+        &self.to_coefficients[k * self.len()..][..self.len()]
+    }
+
+    /// Writes the Lagrange basis of the nodes at `x` into `basis`.
+    pub fn lagrange(&self, x: f64, basis: &mut [f64]) {
+        let n = self.len();
+        let mut p = [0.0; MAX_NODES];
+        legendre(x, &mut p[..n]);
+        for (j, value) in basis.iter_mut().enumerate() {
+            *value = (0..n).map(|k| p[k] * self.to_coefficients[k * n + j]).sum();
+        }
+    }
+}
+
+/// More nodes than any rule here needs; sizes stack buffers.
+pub const MAX_NODES: usize = 32;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn integrates_polynomials_up_to_twice_its_order() {
+        for n in [1, 2, 5, 8, 16, 24] {
+            let rule = GaussRule::new(n);
+            for power in 0..2 * n {
+                let sum: f64 = rule.nodes.iter().zip(&rule.weights).map(|(x, w)| w * x.powi(power as i32)).sum();
+                let exact = if power % 2 == 0 { 2.0 / (power as f64 + 1.0) } else { 0.0 };
+                assert!((sum - exact).abs() < 4e-15, "n = {n}, power {power}: {sum}");
+            }
+        }
+    }
+
+    #[test]
+    fn lagrange_basis_reproduces_polynomials() {
+        let rule = GaussRule::new(7);
+        let mut basis = [0.0; 7];
+        for x in [-1.0, -0.3, 0.77, 1.0] {
+            rule.lagrange(x, &mut basis);
+            let value: f64 = basis.iter().zip(&rule.nodes).map(|(b, t)| b * t.powi(6)).sum();
+            assert!((value - x.powi(6)).abs() < 1e-14);
+        }
+    }
+}

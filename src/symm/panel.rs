@@ -1,0 +1,167 @@
+//! The boundary cut into panels, with the corner singularity put into the variable of each.
+
+use crate::plane::{Complex64, Polygon};
+
+/// The polygon scaled to size about 1, with what panels need to know of its corners.
+#[derive(Clone, Debug)]
+pub struct Boundary {
+    /// Vertices × `unit`: only scaled, never moved, so that differences of vertices stay exact.
+    pub vertices: Vec<Complex64>,
+    /// Unit vector along each edge.
+    pub directions: Vec<Complex64>,
+    /// Length of each edge.
+    pub lengths: Vec<f64>,
+    /// Interior angle at each vertex, divided by π: in (0, 2).
+    pub alpha: Vec<f64>,
+    /// Power of two: plane units × `unit` = units used here.
+    pub unit: f64,
+}
+
+impl Boundary {
+    /// Measures a polygon.
+    #[must_use]
+    pub fn new(polygon: &Polygon) -> Self {
+        let unit = (-polygon.size().log2().round()).exp2();
+        let vertices: Vec<Complex64> = polygon.vertices().iter().map(|v| v * unit).collect();
+        let n = vertices.len();
+        let edges: Vec<Complex64> = (0..n).map(|k| vertices[(k + 1) % n] - vertices[k]).collect();
+        let lengths: Vec<f64> = edges.iter().map(|e| e.norm()).collect();
+        let directions: Vec<Complex64> = edges.iter().zip(&lengths).map(|(e, length)| e / length).collect();
+        let turn = |k: usize| (directions[k] * directions[(k + n - 1) % n].conj()).arg();
+        let alpha = (0..n).map(|k| 1.0 - turn(k) / std::f64::consts::PI).collect();
+        Self { vertices, directions, lengths, alpha, unit }
+    }
+
+    /// Number of vertices.
+    #[must_use]
+    #[expect(clippy::len_without_is_empty, reason = "a boundary has at least 3 vertices")]
+    pub fn len(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// The vertex after `k`.
+    #[must_use]
+    pub fn next(&self, k: usize) -> usize {
+        (k + 1) % self.len()
+    }
+
+    /// The vertex before `k`; also the edge that ends at vertex `k`.
+    #[must_use]
+    pub fn previous(&self, k: usize) -> usize {
+        (k + self.len() - 1) % self.len()
+    }
+
+    /// The exponent a of the corner variable τ = s^(1/a) at vertex `k`.
+    ///
+    /// θ is analytic in s^(1/α); for α < 1 also in s^(1/(mα)) for whole m, and the largest mα ≤ 1 keeps spikes harmless.
+    #[must_use]
+    pub fn exponent(&self, k: usize) -> f64 {
+        let alpha = self.alpha[k];
+        let a = if alpha > 1.0 { alpha } else { alpha * (1.0 / alpha + 1e-9).floor() };
+        if (a - 1.0).abs() < 1e-9 { 1.0 } else { a }
+    }
+
+    /// Distance from vertex `k` to the nearest edge that does not end there, or the shorter adjacent edge if that is less.
+    fn clearance(&self, k: usize) -> f64 {
+        let before = self.previous(k);
+        let adjacent = self.lengths[k].min(self.lengths[before]);
+        let z = self.vertices[k];
+        (0..self.len()).filter(|&j| j != k && j != before).map(|j| self.distance_to_edge(z, j)).fold(adjacent, f64::min)
+    }
+
+    fn distance_to_edge(&self, z: Complex64, j: usize) -> f64 {
+        let u = (z - self.vertices[j]) * self.directions[j].conj();
+        Complex64::new(u.re - u.re.clamp(0.0, self.lengths[j]), u.im).norm()
+    }
+}
+
+/// A piece of an edge, s ∈ [start, end] from `corner` in `direction`, on which the density is a polynomial in τ ∈ [0, 1]:
+/// s = start + (end − start)·τ^exponent, the exponent being 1 unless the panel touches its corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Panel {
+    /// The edge it lies on.
+    pub edge: usize,
+    /// The vertex from which s is measured: the nearer end of the edge.
+    pub corner: usize,
+    /// Unit vector from `corner` along the edge.
+    pub direction: Complex64,
+    /// Whether the boundary runs away from `corner` here (else towards it).
+    pub outgoing: bool,
+    /// Distance of its near end from `corner`.
+    pub start: f64,
+    /// Distance of its far end from `corner`.
+    pub end: f64,
+    /// The exponent a of the corner variable.
+    pub exponent: f64,
+}
+
+impl Panel {
+    /// Length.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.end - self.start
+    }
+
+    /// Distance from the corner at τ.
+    #[must_use]
+    pub fn distance_at(&self, tau: f64) -> f64 {
+        self.start + self.length() * if self.exponent == 1.0 { tau } else { tau.powf(self.exponent) }
+    }
+
+    /// τ at distance `s` from the corner.
+    #[must_use]
+    pub fn tau_at(&self, s: f64) -> f64 {
+        let share = ((s - self.start) / self.length()).clamp(0.0, 1.0);
+        if self.exponent == 1.0 { share } else { share.powf(1.0 / self.exponent) }
+    }
+
+    /// Its two halves, in boundary order; only the one at the corner keeps the corner variable.
+    #[must_use]
+    pub fn halves(&self) -> [Self; 2] {
+        let middle = 0.5 * (self.start + self.end);
+        let near = Self { end: middle, ..*self };
+        let far = Self { start: middle, exponent: 1.0, ..*self };
+        if self.outgoing { [near, far] } else { [far, near] }
+    }
+}
+
+/// First panels: at every corner one of `kappa` × its clearance, then panels that double in length up to mid-edge.
+/// In boundary order from vertex 0.
+#[must_use]
+pub fn initial_panels(boundary: &Boundary, kappa: f64) -> Vec<Panel> {
+    let n = boundary.len();
+    let corner_length: Vec<f64> = (0..n).map(|k| kappa * boundary.clearance(k)).collect();
+    let mut panels = Vec::new();
+    for edge in 0..n {
+        let (from, to) = (edge, boundary.next(edge));
+        let direction = boundary.directions[edge];
+        let middle = 0.5 * boundary.lengths[edge];
+        let half = |corner: usize, direction: Complex64, outgoing: bool| {
+            let first = Panel {
+                edge,
+                corner,
+                direction,
+                outgoing,
+                start: 0.0,
+                end: corner_length[corner].min(middle),
+                exponent: boundary.exponent(corner),
+            };
+            doubling_panels(first, middle)
+        };
+        panels.extend(half(from, direction, true));
+        panels.extend(half(to, -direction, false).into_iter().rev());
+    }
+    panels
+}
+
+/// `first` and regular panels behind it, each at most as long as its distance from the corner, up to `middle`.
+fn doubling_panels(first: Panel, middle: f64) -> Vec<Panel> {
+    let mut panels = vec![first];
+    let mut start = first.end;
+    while middle - start > 1e-12 * middle {
+        let end = if 2.5 * start >= middle { middle } else { 2.0 * start };
+        panels.push(Panel { start, end, exponent: 1.0, ..first });
+        start = end;
+    }
+    panels
+}

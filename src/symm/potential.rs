@@ -1,0 +1,60 @@
+//! ∫ log(z − y) dμ(y): the logarithmic potential of a solved density, anywhere in the region.
+
+use super::discretisation::Discretisation;
+use crate::plane::Complex64;
+use std::f64::consts::TAU;
+
+/// Node masses turned into what every quadrature needs, once.
+#[derive(Clone, Debug)]
+pub struct LogPotential {
+    charges: Vec<Vec<f64>>,
+    masses: Vec<f64>,
+}
+
+impl LogPotential {
+    /// From node masses; they are scaled to total mass 1.
+    #[must_use]
+    pub fn new(discretisation: &Discretisation, masses: &[f64]) -> Self {
+        let total: f64 = masses.iter().sum();
+        let masses: Vec<f64> = masses.iter().map(|mass| mass / total).collect();
+        let p = discretisation.order.p();
+        let charges =
+            discretisation.rules.iter().zip(masses.chunks_exact(p)).map(|(rule, m)| rule.charges(m)).collect();
+        let masses = masses.chunks_exact(p).map(|m| m.iter().sum()).collect();
+        Self { charges, masses }
+    }
+
+    /// The potential at `z` (scaled units), with arg(z − y) continuous along the boundary and principal at vertex 0:
+    /// the continuous branch that the paper's appendix 2 warns about. A panel lies on a straight edge, so its own
+    /// arguments are continuous, and one multiple of 2π puts it on the branch.
+    #[must_use]
+    pub fn at(&self, discretisation: &Discretisation, z: Complex64) -> Complex64 {
+        let arguments = unwrapped_arguments(&discretisation.boundary.vertices, z);
+        let mut sum = Complex64::ZERO;
+        for (q, panel) in discretisation.panels.iter().enumerate() {
+            let local = discretisation.local_of(q, z);
+            let own =
+                discretisation.rules[q].potential(&discretisation.order, local, panel.length().ln(), &self.charges[q]);
+            let middle = 0.5 * (arguments[panel.edge] + arguments[panel.edge + 1]);
+            let turn = panel.direction.arg();
+            let turns = ((middle - turn - (local - 0.5).arg()) / TAU).round();
+            sum += own + Complex64::new(0.0, (turn + TAU * turns) * self.masses[q]);
+        }
+        sum
+    }
+}
+
+/// arg(z − v) for the vertices v, each edge turning by less than π; one more entry closes the curve.
+fn unwrapped_arguments(vertices: &[Complex64], z: Complex64) -> Vec<f64> {
+    let mut arguments = Vec::with_capacity(vertices.len() + 1);
+    let mut previous = z - vertices[0];
+    let mut argument = previous.arg();
+    arguments.push(argument);
+    for k in 1..=vertices.len() {
+        let next = z - vertices[k % vertices.len()];
+        argument += (next * previous.conj()).arg();
+        arguments.push(argument);
+        previous = next;
+    }
+    arguments
+}

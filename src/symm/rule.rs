@@ -1,0 +1,398 @@
+//! The logarithmic potential of one panel: which quadrature serves which target.
+//!
+//! A panel with a corner variable is cut dyadically towards its corner: piece l is [2^(−l−1), 2^(−l)], union l is
+//! [0, 2^(−l)]. On a piece the density is smooth in s and interpolated at m Gauss nodes; on a union only its first m
+//! moments count, for targets far from it. A target walks outwards in: while the union is near, it takes the piece (by
+//! Gauss's rule, or by exact moments when that is near too), then looks at the next union.
+//! A regular panel is one piece whose density is the polynomial itself.
+
+use super::legendre::{GaussRule, MAX_NODES};
+use super::log_moments::{log_moments, outside_ellipse};
+use super::{fast_log, panel::Panel};
+use crate::plane::Complex64;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// Degrees and distances of a discretisation; all follow from the accuracy wanted.
+#[derive(Clone, Debug)]
+pub struct Order {
+    /// Nodes of a panel: p unknowns, density of degree p − 1 in τ.
+    pub panel: GaussRule,
+    /// Nodes of a piece or union.
+    pub piece: GaussRule,
+    /// Gauss's rule serves a piece outside the Bernstein ellipse with this semi-axis.
+    piece_ellipse: f64,
+    /// The moments serve a union outside this one.
+    union_ellipse: f64,
+}
+
+impl Order {
+    /// p unknowns a panel, and quadrature good to `10^-digits`.
+    #[must_use]
+    pub fn new(p: usize, digits: f64) -> Self {
+        let m = if digits > 9.0 {
+            16
+        } else if digits > 6.0 {
+            12
+        } else {
+            8
+        };
+        // Errors fall like ρ^−power: the semi-axis at which that is 10^−digits.
+        let semi_axis = |power: usize| (digits * std::f64::consts::LN_10 / power as f64).cosh();
+        Self {
+            panel: GaussRule::new(p),
+            piece: GaussRule::new(m),
+            piece_ellipse: semi_axis(2 * m - p.min(m)),
+            union_ellipse: semi_axis(m),
+        }
+    }
+
+    /// Unknowns a panel.
+    #[must_use]
+    pub fn p(&self) -> usize {
+        self.panel.len()
+    }
+}
+
+/// How the node masses of a panel with a given exponent act, on the panel scaled to [0, 1].
+#[derive(Clone, Debug)]
+pub struct PanelRule {
+    p: usize,
+    m: usize,
+    /// Dyadic levels; 0 for a regular panel.
+    levels: usize,
+    /// Blocks of m × p: what the node masses become on the nodes (or in the Legendre coefficients) of each part.
+    blocks: Vec<f64>,
+}
+
+/// One contribution to the potential at a target: a block of the rule, and the interval it stands for.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    block: usize,
+    center: f64,
+    half: f64,
+    /// Exact moments (the block holds Legendre coefficients) rather than nodes (it holds masses).
+    exact: bool,
+}
+
+impl PanelRule {
+    fn new(order: &Order, exponent: f64) -> Self {
+        let (p, m) = (order.p(), order.piece.len());
+        let mut rule = Self { p, m, levels: 0, blocks: Vec::new() };
+        if exponent == 1.0 {
+            rule.blocks = regular_blocks(order);
+        } else {
+            // Targets, also those that check the solution, come closer to the corner than the first node, but not
+            // closer than a hundredth of its distance: three more halvings keep the last union far from all of them.
+            let closest = (0.005 * (order.panel.nodes[0] + 1.0)).powf(exponent);
+            rule.levels = (-closest.log2()).ceil() as usize + 3;
+            rule.blocks = graded_blocks(order, exponent, rule.levels);
+        }
+        rule
+    }
+
+    /// Points of the scaled panel nearer to its corner than this are too near for the quadrature.
+    #[must_use]
+    pub fn blind_radius(&self) -> f64 {
+        if self.levels == 0 { 0.0 } else { (2.0 - self.levels as f64).exp2() }
+    }
+
+    fn block(&self, index: usize) -> &[f64] {
+        &self.blocks[index * self.m * self.p..][..self.m * self.p]
+    }
+
+    fn union_block(l: usize) -> usize {
+        l
+    }
+
+    fn piece_block(&self, l: usize) -> usize {
+        self.levels + 1 + l
+    }
+
+    fn moment_block(&self, l: usize) -> usize {
+        2 * self.levels + 1 + l
+    }
+
+    /// Calls `visit` for the parts that make up the panel as seen from `target` (scaled so that the panel is [0, 1]).
+    fn for_each_part(&self, order: &Order, target: Complex64, mut visit: impl FnMut(Part)) {
+        let mut reach = 1.0;
+        for l in 0..=self.levels {
+            let union = Part { block: Self::union_block(l), center: 0.5 * reach, half: 0.5 * reach, exact: false };
+            let regular = self.levels == 0;
+            let ellipse = if regular { order.piece_ellipse } else { order.union_ellipse };
+            let last_union = l == self.levels && !regular;
+            if last_union || outside_ellipse((target - union.center) / union.half, ellipse) {
+                return visit(union);
+            }
+            if regular {
+                return visit(Part { block: 1, exact: true, ..union });
+            }
+            let piece = Part { block: self.piece_block(l), center: 0.75 * reach, half: 0.25 * reach, exact: false };
+            if outside_ellipse((target - piece.center) / piece.half, order.piece_ellipse) {
+                visit(piece);
+            } else {
+                visit(Part { block: self.moment_block(l), exact: true, ..piece });
+            }
+            reach *= 0.5;
+        }
+    }
+
+    /// Adds to `row` (length p) the potential ∫ log|x − y| dμ(y) at the target of a unit mass at each node.
+    /// `log_scale` is the logarithm of the panel's length.
+    pub fn add_row(&self, order: &Order, target: Complex64, log_scale: f64, row: &mut [f64]) {
+        self.for_each_part(order, target, |part| {
+            let mut logs = [0.0; MAX_NODES];
+            let logs = &mut logs[..self.m];
+            if part.exact {
+                let count = self.coefficient_count();
+                exact_logs(target, part, log_scale, &mut logs[..count], |moment| moment.re);
+            } else {
+                let height = target.im * target.im;
+                for (log, t) in logs.iter_mut().zip(&order.piece.nodes) {
+                    let along = target.re - part.center - part.half * t;
+                    *log = along * along + height;
+                }
+                fast_log::half_ln(logs);
+                logs.iter_mut().for_each(|log| *log += log_scale);
+            }
+            let rows = if part.exact { self.coefficient_count() } else { self.m };
+            for (log, weights) in logs[..rows].iter().zip(self.block(part.block).chunks_exact(self.p)) {
+                row.iter_mut().zip(weights).for_each(|(r, w)| *r += log * w);
+            }
+        });
+    }
+
+    /// Legendre coefficients of an exact part: p on a regular panel, m on a piece of a graded one.
+    fn coefficient_count(&self) -> usize {
+        if self.levels == 0 { self.p } else { self.m }
+    }
+
+    /// What given node masses become in every block: the input of [`PanelRule::potential`].
+    #[must_use]
+    pub fn charges(&self, masses: &[f64]) -> Vec<f64> {
+        self.blocks.chunks_exact(self.p).map(|row| row.iter().zip(masses).map(|(w, x)| w * x).sum()).collect()
+    }
+
+    /// ∫ log(u − s) dμ(s), principal logarithm, at a target u (panel scaled to [0, 1]) of the given charges;
+    /// `log_scale` is added to every logarithm.
+    #[must_use]
+    pub fn potential(&self, order: &Order, target: Complex64, log_scale: f64, charges: &[f64]) -> Complex64 {
+        let mut sum = Complex64::ZERO;
+        self.for_each_part(order, target, |part| {
+            let charges = &charges[part.block * self.m..][..self.m];
+            if part.exact {
+                let mut logs = [Complex64::ZERO; MAX_NODES];
+                let logs = &mut logs[..self.coefficient_count()];
+                exact_logs(target, part, log_scale, logs, |moment| moment);
+                sum += logs.iter().zip(charges).map(|(log, charge)| log * charge).sum::<Complex64>();
+            } else {
+                for (charge, t) in charges.iter().zip(&order.piece.nodes) {
+                    sum += ((target - (part.center + part.half * t)).ln() + log_scale) * charge;
+                }
+            }
+        });
+        sum
+    }
+
+    /// The masses on the m nodes of the whole panel that stand for it in the far field, and those nodes in [0, 1].
+    pub fn far_sources<'a>(&'a self, order: &'a Order, masses: &'a [f64]) -> impl Iterator<Item = (f64, f64)> + 'a {
+        let weights = self.block(Self::union_block(0)).chunks_exact(self.p);
+        order.piece.nodes.iter().zip(weights).map(move |(t, row)| {
+            let mass = row.iter().zip(masses).map(|(w, x)| w * x).sum();
+            (0.5 + 0.5 * t, mass)
+        })
+    }
+}
+
+/// Writes ∫ Pₖ(t) log(half·(ζ − t)) dt + scale for the interval of `part` as seen from `target`.
+fn exact_logs<T: std::ops::AddAssign<f64>>(
+    target: Complex64,
+    part: Part,
+    log_scale: f64,
+    logs: &mut [T],
+    take: impl Fn(Complex64) -> T,
+) {
+    let mut moments = [Complex64::ZERO; MAX_NODES];
+    let moments = &mut moments[..logs.len()];
+    log_moments((target - part.center) / part.half, moments);
+    logs.iter_mut().zip(moments).for_each(|(log, moment)| *log = take(*moment));
+    logs[0] += 2.0 * (part.half.ln() + log_scale);
+}
+
+/// Blocks of a regular panel: masses on its m nodes, and its Legendre coefficients (padded to m rows).
+fn regular_blocks(order: &Order) -> Vec<f64> {
+    let (p, m) = (order.p(), order.piece.len());
+    let mut blocks = vec![0.0; 2 * m * p];
+    let mut basis = vec![0.0; p];
+    for i in 0..m {
+        order.panel.lagrange(order.piece.nodes[i], &mut basis);
+        for j in 0..p {
+            blocks[i * p + j] = order.piece.weights[i] * basis[j] / order.panel.weights[j];
+        }
+    }
+    for k in 0..p {
+        for j in 0..p {
+            blocks[(m + k) * p + j] = order.panel.coefficient_row(k)[j] / order.panel.weights[j];
+        }
+    }
+    blocks
+}
+
+/// Blocks of a panel with a corner variable: unions 0 … levels, pieces 0 … levels−1, and the pieces' coefficients.
+fn graded_blocks(order: &Order, exponent: f64, levels: usize) -> Vec<f64> {
+    let (p, m) = (order.p(), order.piece.len());
+    let size = m * p;
+    let mut blocks = vec![0.0; (3 * levels + 1) * size];
+    let (unions, rest) = blocks.split_at_mut((levels + 1) * size);
+    let (pieces, moments) = rest.split_at_mut(levels * size);
+    // Below the last union the same halving goes on until nothing is left.
+    let depth = levels + (60.0 * exponent) as usize;
+    let [to_half, to_upper] = restriction(&order.piece);
+    let mut inner = vec![0.0; size];
+    for l in (0..depth).rev() {
+        let piece = piece_masses(order, exponent, l);
+        let mut union = vec![0.0; size];
+        add_product(&to_half, &inner, m, p, &mut union);
+        add_product(&to_upper, &piece, m, p, &mut union);
+        if l < levels {
+            unions[l * size..][..size].copy_from_slice(&union);
+            pieces[l * size..][..size].copy_from_slice(&piece);
+            add_product(&coefficients_of_masses(&order.piece), &piece, m, p, &mut moments[l * size..][..size]);
+        } else if l == levels {
+            unions[l * size..][..size].copy_from_slice(&union);
+        }
+        inner = union;
+    }
+    blocks
+}
+
+/// m × p: mass on the Gauss nodes of [2^(−l−1), 2^(−l)] for unit masses at the panel's nodes.
+fn piece_masses(order: &Order, exponent: f64, l: usize) -> Vec<f64> {
+    let (p, m) = (order.p(), order.piece.len());
+    let reach = (-(l as f64)).exp2();
+    let mut masses = vec![0.0; m * p];
+    let mut basis = vec![0.0; p];
+    for i in 0..m {
+        let s = reach * (0.75 + 0.25 * order.piece.nodes[i]);
+        let tau = s.powf(1.0 / exponent);
+        // dμ = g dτ with dτ/ds = τ/(a s); a unit mass at node j is g = basis_j · 2/w_j.
+        let jacobian = tau / (exponent * s) * 0.25 * reach * order.piece.weights[i];
+        order.panel.lagrange(2.0 * tau - 1.0, &mut basis);
+        for j in 0..p {
+            masses[i * p + j] = jacobian * basis[j] * 2.0 / order.panel.weights[j];
+        }
+    }
+    masses
+}
+
+/// m × m matrices that carry masses on the nodes of the inner half [0, ½], and of the outer piece [½, 1], to masses on
+/// the nodes of [0, 1] with the same first m moments.
+fn restriction(rule: &GaussRule) -> [Vec<f64>; 2] {
+    let m = rule.len();
+    let mut basis = vec![0.0; m];
+    [-0.5, 0.5].map(|shift| {
+        let mut matrix = vec![0.0; m * m];
+        for from in 0..m {
+            rule.lagrange(shift + 0.5 * rule.nodes[from], &mut basis);
+            for to in 0..m {
+                matrix[to * m + from] = basis[to];
+            }
+        }
+        matrix
+    })
+}
+
+/// m × m: Legendre coefficients (in t on [−1, 1]) of the density that has the given masses at the nodes.
+fn coefficients_of_masses(rule: &GaussRule) -> Vec<f64> {
+    let m = rule.len();
+    (0..m * m).map(|index| rule.coefficient_row(index / m)[index % m] / rule.weights[index % m]).collect()
+}
+
+/// result (m × p) += left (m × m) · right (m × p).
+fn add_product(left: &[f64], right: &[f64], m: usize, p: usize, result: &mut [f64]) {
+    for i in 0..m {
+        for k in 0..m {
+            let factor = left[i * m + k];
+            let row = &right[k * p..][..p];
+            result[i * p..][..p].iter_mut().zip(row).for_each(|(r, x)| *r += factor * x);
+        }
+    }
+}
+
+/// The rules of all exponents met so far: equal corners, and the halves of split panels, share one.
+#[derive(Clone, Debug)]
+pub struct Rules {
+    /// What they have in common.
+    pub order: Order,
+    by_exponent: HashMap<u64, Rc<PanelRule>>,
+}
+
+impl Rules {
+    /// No rules yet.
+    #[must_use]
+    pub fn new(order: Order) -> Self {
+        Self { order, by_exponent: HashMap::new() }
+    }
+
+    /// The rule for a panel.
+    pub fn of(&mut self, panel: &Panel) -> Rc<PanelRule> {
+        let order = &self.order;
+        let make = || Rc::new(PanelRule::new(order, panel.exponent));
+        Rc::clone(self.by_exponent.entry(panel.exponent.to_bits()).or_insert_with(make))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ∫₀¹ log(u − τ^a) Σⱼ gⱼ(τ) dτ for unit masses at the nodes, by the trapezoidal rule after τ = the error-function-like
+    /// substitution of double-exponential quadrature.
+    fn by_quadrature(order: &Order, exponent: f64, u: Complex64, masses: &[f64]) -> Complex64 {
+        let mut basis = vec![0.0; order.p()];
+        let mut sum = Complex64::ZERO;
+        // Break at the foot of the target, where the kernel varies fastest.
+        let foot = u.re.clamp(0.0, 1.0).powf(1.0 / exponent);
+        for (a, b) in [(0.0, foot), (foot, 1.0)] {
+            let step = 1.0 / 64.0;
+            for k in -300..=300 {
+                let x = f64::from(k) * step;
+                let q = std::f64::consts::FRAC_PI_2 * x.sinh();
+                let share = 1.0 / (1.0 + (-2.0 * q).exp());
+                let weight = step * std::f64::consts::PI * x.cosh() * share * (1.0 - share) * (b - a);
+                let tau = a + (b - a) * share;
+                if weight < 1e-300 {
+                    continue;
+                }
+                order.panel.lagrange(2.0 * tau - 1.0, &mut basis);
+                let density: f64 =
+                    basis.iter().zip(masses).zip(&order.panel.weights).map(|((b, x), w)| b * x * 2.0 / w).sum();
+                sum += (u - tau.powf(exponent)).ln() * (weight * density);
+            }
+        }
+        sum
+    }
+
+    #[test]
+    fn potential_matches_quadrature_at_all_distances() {
+        let order = Order::new(12, 15.0);
+        let density = |t: f64| (1.0 + 0.5 * t).recip();
+        let masses: Vec<f64> =
+            order.panel.nodes.iter().zip(&order.panel.weights).map(|(t, w)| 0.5 * w * density(*t)).collect();
+        let targets = [(0.4, 1e-3), (1.02, 0.01), (0.01, 0.002), (-0.05, 0.01), (0.7, 0.4), (3.0, 1.0), (-8.0, 0.5)];
+        for exponent in [1.0, 0.55, 0.9, 1.3, 1.98] {
+            let rule = PanelRule::new(&order, exponent);
+            let charges = rule.charges(&masses);
+            for (re, im) in targets {
+                let u = Complex64::new(re, im);
+                let value = rule.potential(&order, u, 0.0, &charges);
+                let exact = by_quadrature(&order, exponent, u, &masses);
+                assert!((value - exact).norm() < 3e-13, "a = {exponent}, u = {u}: {value} against {exact}");
+                let mut row = [0.0; 12];
+                rule.add_row(&order, u, 0.0, &mut row);
+                let real: f64 = row.iter().zip(&masses).map(|(r, x)| r * x).sum();
+                assert!((real - exact.re).abs() < 3e-13, "row, a = {exponent}, u = {u}: {real} against {exact}");
+            }
+        }
+    }
+}
