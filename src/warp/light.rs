@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 
 /// Which quantity is averaged when texels are filtered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Light {
     /// The light itself: bytes are decoded by the sRGB curve (IEC 61966-2-1) first, and encoded at the end.
     #[default]

@@ -6,6 +6,7 @@ use std::ops::Range;
 
 /// Which way a map is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum Direction {
     /// The view's point p shows the texture at f(p).
     #[default]
@@ -16,6 +17,7 @@ pub enum Direction {
 
 /// How texels become a pixel, from fast to good.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Quality {
     /// The nearest texel.
     Nearest,

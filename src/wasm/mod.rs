@@ -8,6 +8,8 @@ pub mod error;
 pub mod options;
 pub mod points;
 pub mod region;
+pub mod texture;
+pub mod warp;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -1,0 +1,67 @@
+//! `Texture` in JavaScript.
+
+use super::error::Failure;
+use super::options;
+use crate::warp::{self, Light, Wrap};
+use js_sys::Array;
+use serde::Deserialize;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::wasm_bindgen;
+use web_sys::ImageData;
+
+/// How a texture continues, and in which light it is filtered.
+#[derive(Debug, Default, Deserialize, Tsify)]
+#[serde(default)]
+pub struct TextureOptions {
+    /// What lies beyond the edges; "transparent" by default.
+    #[tsify(optional)]
+    pub wrap: Wrap,
+    /// "linear" (the default) averages the light itself, decoded from sRGB; "plain" the bytes as they are.
+    #[tsify(optional)]
+    pub light: Light,
+}
+
+/// A picture made ready for warping: a mip pyramid. Built once; a warp never copies it.
+#[derive(Debug)]
+#[wasm_bindgen]
+pub struct Texture(warp::Texture);
+
+#[wasm_bindgen]
+impl Texture {
+    /// A texture of RGBA bytes with straight alpha, row by row: 4 · width · height of them, as in `ImageData.data`.
+    ///
+    /// Throws "wrong-length", "texture-too-large" or "invalid-option".
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "Uint8Array | Uint8ClampedArray")] rgba: &[u8],
+        width: usize,
+        height: usize,
+        options: Option<Ts<TextureOptions>>,
+    ) -> Result<Self, Failure> {
+        let TextureOptions { wrap, light } = options::read_or_default(options.as_ref())?;
+        Ok(Self(warp::Texture::new(rgba, width, height, wrap, light)?))
+    }
+
+    /// A texture of what a canvas holds: `Texture.fromImageData(context.getImageData(0, 0, width, height))`.
+    ///
+    /// Throws as the constructor does.
+    #[wasm_bindgen(js_name = fromImageData)]
+    pub fn from_image_data(image: &ImageData, options: Option<Ts<TextureOptions>>) -> Result<Self, Failure> {
+        Self::new(&image.data(), image.width() as usize, image.height() as usize, options)
+    }
+
+    /// Columns and rows of the picture.
+    #[wasm_bindgen(getter, unchecked_return_type = "[columns: number, rows: number]")]
+    pub fn size(&self) -> Array {
+        let [columns, rows] = self.0.size().map(|n| (n as f64).into());
+        Array::of2(&columns, &rows)
+    }
+}
+
+impl Texture {
+    /// The texture itself, for the classes that warp it.
+    #[must_use]
+    pub fn inner(&self) -> &warp::Texture {
+        &self.0
+    }
+}

@@ -1,0 +1,106 @@
+//! What the `warp` and `paint` methods of all classes share.
+
+use super::error::Failure;
+use super::options::{self, FrameOptions};
+use super::texture::Texture;
+use crate::Error;
+use crate::warp::{Direction, Quality, Warp, WarpOptions};
+use js_sys::Uint8ClampedArray;
+use serde::Deserialize;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{Clamped, JsValue};
+use web_sys::ImageData;
+
+/// How a texture is to be warped.
+#[derive(Debug, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+#[tsify(rename = "WarpOptions")]
+pub struct DrawOptions {
+    /// Where the texture lies in the plane. The texture is stretched over the frame, whatever its pixel counts.
+    pub texture: FrameOptions,
+    /// Which part of the plane is drawn, and on how many pixels.
+    pub view: FrameOptions,
+    /// "pull-back" (the default): the view's point p shows the texture at f(p). "push-forward": its point f(z) shows
+    /// the texture at z.
+    #[serde(default)]
+    #[tsify(optional)]
+    pub direction: Direction,
+    /// How texels become a pixel, from fast to good; "trilinear" by default.
+    #[serde(default)]
+    #[tsify(optional)]
+    pub quality: Quality,
+    /// The bytes to fill instead of new ones: 4 · columns · rows of them.
+    #[serde(default, deserialize_with = "options::object")]
+    #[tsify(optional, type = "Uint8ClampedArray")]
+    pub out: Option<Uint8ClampedArray>,
+    /// The band of rows to draw, [first, the one after the last]. Bands drawn apart make the same pixels as the whole.
+    #[serde(default)]
+    #[tsify(optional, type = "[first: number, end: number]")]
+    pub rows: Option<[usize; 2]>,
+}
+
+impl DrawOptions {
+    fn split(self) -> Result<(WarpOptions, Option<Uint8ClampedArray>), Failure> {
+        let options = WarpOptions {
+            texture: self.texture.try_into()?,
+            view: self.view.try_into()?,
+            direction: self.direction,
+            quality: self.quality,
+            rows: self.rows.map(|[first, end]| first..end),
+        };
+        Ok((options, self.out))
+    }
+}
+
+/// The map's picture of the texture: RGBA bytes with straight alpha, `out` itself if it was given.
+///
+/// # Errors
+/// "invalid-option", "invalid-frame", "invalid-rows", "wrong-length", and those of the map.
+pub fn warp(map: &impl Warp, texture: &Texture, options: &Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
+    let (options, out) = options::read(options)?.split()?;
+    let Some(out) = out else {
+        let pixels = map.warp(texture.inner(), &options)?;
+        return Ok(Uint8ClampedArray::from(&pixels[..]));
+    };
+    let expected = options.output_len()?;
+    if out.length() as usize != expected {
+        let found = out.length() as usize;
+        return Err(Error::WrongLength { what: "out", expected: expected.to_string(), found }.into());
+    }
+    out.copy_from(&map.warp(texture.inner(), &options)?);
+    Ok(out)
+}
+
+/// [`warp`], onto a canvas, whose pixel (0, 0) is the view's.
+///
+/// # Errors
+/// As [`warp`], and what the context throws.
+pub fn paint(
+    map: &impl Warp,
+    context: &PaintContext,
+    texture: &Texture,
+    options: &Ts<DrawOptions>,
+) -> Result<(), Failure> {
+    let (options, _) = options::read(options)?.split()?;
+    let rows = options.checked_rows()?;
+    if rows.is_empty() {
+        return Ok(());
+    }
+    let pixels = map.warp(texture.inner(), &options)?;
+    let [width, height] = [options.view.pixels()[0], rows.len()].map(|n| n as u32);
+    ImageData::new_with_u8_clamped_array_and_sh(Clamped(&pixels), width, height)
+        .and_then(|image| context.put_image_data(&image, 0.0, rows.start as f64))
+        .map_err(Failure::thrown)
+}
+
+#[wasm_bindgen]
+extern "C" {
+    /// The 2D context of a canvas, on the page or off it.
+    #[wasm_bindgen(typescript_type = "CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D")]
+    #[derive(Debug)]
+    pub type PaintContext;
+
+    #[wasm_bindgen(method, catch, structural, js_name = putImageData)]
+    fn put_image_data(this: &PaintContext, image: &ImageData, x: f64, y: f64) -> Result<(), JsValue>;
+}
