@@ -7,6 +7,7 @@
 pub mod error;
 pub mod options;
 pub mod points;
+pub mod progress;
 pub mod region;
 pub mod texture;
 pub mod warp;

@@ -1,0 +1,99 @@
+//! `RiemannMap` in JavaScript.
+
+use super::error::Failure;
+use super::options;
+use super::points;
+use super::progress::Progress;
+use super::region::Region;
+use crate::map::riemann::{self, SolveOptions};
+use js_sys::Function;
+use serde::Deserialize;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// What a solve should reach, and what it may spend.
+#[derive(Debug, Default, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase", default)]
+#[tsify(rename = "SolveOptions")]
+pub struct RiemannOptions {
+    /// The largest error of the map that is acceptable, the disk having radius 1; 1e-8 by default.
+    #[tsify(optional)]
+    pub tolerance: Option<f64>,
+    /// The largest number of unknowns.
+    #[tsify(optional)]
+    pub max_unknowns: Option<usize>,
+    /// Told the stage and the fraction of it that is done; `false` cancels, and the solve throws "cancelled".
+    #[serde(deserialize_with = "options::object")]
+    #[tsify(optional, type = "(stage: string, fraction: number) => boolean | void")]
+    pub on_progress: Option<Function>,
+}
+
+/// The conformal map region → unit disk with `center` → 0 and `toward` → 1, by Symm's method.
+#[derive(Debug)]
+#[wasm_bindgen]
+pub struct RiemannMap(riemann::RiemannMap);
+
+#[wasm_bindgen]
+impl RiemannMap {
+    /// Solves Symm's equation for the region. The map keeps its own copy of it.
+    ///
+    /// Throws "cancelled", "invalid-option", or why the region could not be solved.
+    pub fn solve(region: &Region, options: Option<Ts<RiemannOptions>>) -> Result<Self, Failure> {
+        let given = options::read_or_default(options.as_ref())?;
+        let defaults = SolveOptions::default();
+        let options = SolveOptions {
+            tolerance: given.tolerance.unwrap_or(defaults.tolerance),
+            max_unknowns: given.max_unknowns.unwrap_or(defaults.max_unknowns),
+        };
+        let mut progress = Progress::new(given.on_progress);
+        let solved = riemann::RiemannMap::solve(region.inner(), &options, &mut |stage, fraction| {
+            progress.report(stage, fraction)
+        });
+        progress.finish(solved).map(Self)
+    }
+
+    /// Region → disk, point by point `[x0, y0, x1, y1, …]`; NaN outside the closed region.
+    #[wasm_bindgen(js_name = toDisk)]
+    pub fn to_disk(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
+        let points = points::from_flat("The points", points)?;
+        Ok(points::to_flat(&self.0.to_disk(&points)))
+    }
+
+    /// The angle of each boundary vertex on the circle, in [0, 2π), with `toward` at 0.
+    #[wasm_bindgen(getter)]
+    pub fn angles(&self) -> Vec<f64> {
+        self.0.angles().to_vec()
+    }
+
+    /// 1 / |f'(center)|, in plane units.
+    #[wasm_bindgen(getter, js_name = conformalRadius)]
+    pub fn conformal_radius(&self) -> f64 {
+        self.0.conformal_radius()
+    }
+
+    /// An estimate of the largest error of the map.
+    #[wasm_bindgen(getter, js_name = errorEstimate)]
+    pub fn error_estimate(&self) -> f64 {
+        self.0.error_estimate()
+    }
+
+    /// How well the solution satisfies Symm's equation where it was not asked to.
+    #[wasm_bindgen(getter)]
+    pub fn residual(&self) -> f64 {
+        self.0.residual()
+    }
+
+    /// How many unknowns were solved for.
+    #[wasm_bindgen(getter)]
+    pub fn unknowns(&self) -> usize {
+        self.0.unknowns()
+    }
+}
+
+impl RiemannMap {
+    /// The map itself, for the classes that are made from one.
+    #[must_use]
+    pub fn inner(&self) -> &riemann::RiemannMap {
+        &self.0
+    }
+}
