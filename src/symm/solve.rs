@@ -33,6 +33,7 @@ pub type Progress<'a> = &'a mut dyn FnMut(&'static str, f64) -> bool;
 
 /// Why a solve ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(serde::Serialize, tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum Stop {
     /// The error estimate is below the tolerance.
     Tolerance,

@@ -1,14 +1,16 @@
 //! The JavaScript interface: convert, call, convert.
 //!
 //! One file a class; its documentation is written for JavaScript, where it becomes the package's types and their help.
-//! What the classes share: [`error`] (an error → `Error` with a `code`), [`options`] (plain objects →
-//! Rust structs, with errors in words), [`points`] (`Float64Array` ↔ complex numbers).
+//! What the classes share: [`error`] (an error → `Error` with a `code`), [`options`] (plain objects → Rust structs,
+//! with errors in words), [`points`] (`Float64Array` ↔ complex numbers), [`progress`] (the caller's `onProgress`),
+//! [`warp`] (the methods `warp` and `paint`).
 
 pub mod error;
 pub mod options;
 pub mod points;
 pub mod progress;
 pub mod region;
+pub mod riemann;
 pub mod texture;
 pub mod warp;
 

@@ -3,9 +3,9 @@
 use super::error::Failure;
 use crate::plane::{Complex64, Frame};
 use js_sys::{Float64Array, Object};
-use serde::Deserialize;
 use serde::de::value::Error as Introspected;
 use serde::de::{DeserializeOwned, Deserializer, Error as _, Visitor};
+use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify, serde_wasm_bindgen};
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -91,6 +91,14 @@ pub fn read<T: Tsify + DeserializeOwned>(given: &Ts<T>) -> Result<T, Failure> {
 /// As [`read`].
 pub fn read_or_default<T: Tsify + DeserializeOwned + Default>(given: Option<&Ts<T>>) -> Result<T, Failure> {
     given.map_or_else(|| Ok(T::default()), read)
+}
+
+/// A Rust value → JavaScript, with its generated type.
+///
+/// # Errors
+/// None that a value of this crate causes: the serialiser's.
+pub fn write<T: Tsify + Serialize>(value: &T) -> Result<Ts<T>, Failure> {
+    value.into_ts().map_err(|error| Failure::new("internal", &error.to_string()))
 }
 
 /// A misspelled option must not be silently ignored.

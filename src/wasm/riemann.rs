@@ -5,7 +5,7 @@ use super::options;
 use super::points;
 use super::progress::Progress;
 use super::region::Region;
-use crate::map::riemann::{self, SolveOptions};
+use crate::map::{self, SolveOptions, Stop};
 use js_sys::Function;
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
@@ -31,13 +31,13 @@ pub struct RiemannOptions {
 /// The conformal map region → unit disk with `center` → 0 and `toward` → 1, by Symm's method.
 #[derive(Debug)]
 #[wasm_bindgen]
-pub struct RiemannMap(riemann::RiemannMap);
+pub struct RiemannMap(map::RiemannMap);
 
 #[wasm_bindgen]
 impl RiemannMap {
     /// Solves Symm's equation for the region. The map keeps its own copy of it.
     ///
-    /// Throws "cancelled", "invalid-option", or why the region could not be solved.
+    /// Throws "cancelled", "invalid-option", or "negative-mass" if no trustworthy map was found.
     pub fn solve(region: &Region, options: Option<Ts<RiemannOptions>>) -> Result<Self, Failure> {
         let given = options::read_or_default(options.as_ref())?;
         let defaults = SolveOptions::default();
@@ -46,9 +46,8 @@ impl RiemannMap {
             max_unknowns: given.max_unknowns.unwrap_or(defaults.max_unknowns),
         };
         let mut progress = Progress::new(given.on_progress);
-        let solved = riemann::RiemannMap::solve(region.inner(), &options, &mut |stage, fraction| {
-            progress.report(stage, fraction)
-        });
+        let solved =
+            map::RiemannMap::solve(region.inner(), &options, &mut |stage, fraction| progress.report(stage, fraction));
         progress.finish(solved).map(Self)
     }
 
@@ -71,16 +70,22 @@ impl RiemannMap {
         self.0.conformal_radius()
     }
 
-    /// An estimate of the largest error of the map.
+    /// An estimate of the largest error of the map, the disk having radius 1.
     #[wasm_bindgen(getter, js_name = errorEstimate)]
     pub fn error_estimate(&self) -> f64 {
         self.0.error_estimate()
     }
 
-    /// How well the solution satisfies Symm's equation where it was not asked to.
+    /// The largest violation of |f| = 1 on the boundary, at points where it was not imposed.
     #[wasm_bindgen(getter)]
     pub fn residual(&self) -> f64 {
         self.0.residual()
+    }
+
+    /// Why the solve ended: with the tolerance met, or short of it.
+    #[wasm_bindgen(getter)]
+    pub fn stop(&self) -> Result<Ts<Stop>, Failure> {
+        options::write(&self.0.stop())
     }
 
     /// How many unknowns were solved for.
@@ -93,7 +98,7 @@ impl RiemannMap {
 impl RiemannMap {
     /// The map itself, for the classes that are made from one.
     #[must_use]
-    pub fn inner(&self) -> &riemann::RiemannMap {
+    pub fn inner(&self) -> &map::RiemannMap {
         &self.0
     }
 }

@@ -1,0 +1,80 @@
+//! `RiemannMap` as JavaScript sees it. Runs in Node.
+#![cfg(target_arch = "wasm32")]
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+use conformal_warp::wasm::region::{Region, RegionOptions};
+use conformal_warp::wasm::riemann::{RiemannMap, RiemannOptions};
+use js_sys::Reflect;
+use std::f64::consts::FRAC_PI_2;
+use tsify::Ts;
+use wasm_bindgen::JsValue;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+fn object(fields: &str) -> JsValue {
+    js_sys::eval(&format!("({{ {fields} }})")).unwrap()
+}
+
+fn square() -> Region {
+    let options = "boundary: new Float64Array([-1, -1, 1, -1, 1, 1, -1, 1]), center: [0, 0], toward: [-1, -1]";
+    Region::new(Ts::<RegionOptions>::new_unchecked(object(options))).unwrap()
+}
+
+fn solve(options: &JsValue) -> Result<RiemannMap, JsValue> {
+    RiemannMap::solve(&square(), Some(Ts::<RiemannOptions>::new_unchecked(options.clone()))).map_err(JsValue::from)
+}
+
+fn property(value: &JsValue, name: &str) -> JsValue {
+    Reflect::get(value, &name.into()).unwrap()
+}
+
+#[wasm_bindgen_test]
+fn the_square_is_mapped_with_its_evidence() {
+    let map = solve(&object("tolerance: 1e-12, maxUnknowns: 2000")).unwrap();
+    for (k, angle) in map.angles().iter().enumerate() {
+        assert!((angle - k as f64 * FRAC_PI_2).abs() < 1e-12, "vertex {k}: {angle}");
+    }
+    assert!((map.conformal_radius() - 1.078_705_202_376_758_7).abs() < 1e-12);
+    assert!(map.error_estimate() > 0.0 && map.error_estimate() <= 1e-12);
+    assert!(map.residual() <= map.error_estimate() && map.unknowns() > 16);
+    assert_eq!(map.stop().unwrap().js_value(), "tolerance");
+
+    let images = map.to_disk(&[0.0, 0.0, -1.0, -1.0, 5.0, 5.0]).unwrap();
+    assert!(images[..2].iter().all(|x| x.abs() < 1e-12) && (images[2] - 1.0).abs() < 1e-12, "{images:?}");
+    assert!(images[4].is_nan() && images[5].is_nan());
+}
+
+#[wasm_bindgen_test]
+fn options_may_be_left_out() {
+    let map = RiemannMap::solve(&square(), None).unwrap();
+    assert!(map.error_estimate() <= 1e-8);
+    assert!(solve(&object("onProgress: undefined")).is_ok());
+}
+
+#[wasm_bindgen_test]
+fn progress_is_told_and_can_cancel() {
+    let heard = object("stages: []");
+    let watching = "onProgress(stage, fraction) { globalThis.heard.stages.push([stage, fraction]) }";
+    Reflect::set(&js_sys::global(), &"heard".into(), &heard).unwrap();
+    solve(&object(watching)).unwrap();
+    let stages = js_sys::Array::from(&property(&heard, "stages"));
+    assert!(stages.length() > 0);
+    for told in stages.iter().map(|told| js_sys::Array::from(&told)) {
+        assert!(told.get(0).is_string() && (0.0..=1.0).contains(&told.get(1).as_f64().unwrap()), "{told:?}");
+    }
+
+    let cancelled = solve(&object("onProgress: () => false")).unwrap_err();
+    assert_eq!(property(&cancelled, "code"), "cancelled");
+    let thrown = solve(&object("onProgress() { throw new RangeError('enough') }")).unwrap_err();
+    assert_eq!((property(&thrown, "name"), property(&thrown, "message")), ("RangeError".into(), "enough".into()));
+}
+
+#[wasm_bindgen_test]
+fn wrong_options_are_refused() {
+    for (options, option) in
+        [("tolerance: 2", "tolerance"), ("maxUnknowns: 0.5", "maxUnknowns"), ("onProgress: 3", "onProgress")]
+    {
+        let thrown = solve(&object(options)).unwrap_err();
+        let named = (property(&thrown, "code"), property(&thrown, "option"));
+        assert_eq!(named, ("invalid-option".into(), option.into()), "{:?}", property(&thrown, "message"));
+    }
+}
