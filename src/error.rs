@@ -110,6 +110,48 @@ pub enum Error {
         /// The error estimate that it exceeds.
         estimate: f64,
     },
+    /// A formula that does not follow the grammar.
+    #[error("The formula cannot be read at position {position}: expected {expected}, found {found}.")]
+    Syntax {
+        /// Where, in UTF-16 units from the start of the text: JavaScript's `text[position]`.
+        position: usize,
+        /// What could have stood there.
+        expected: String,
+        /// What stands there.
+        found: String,
+    },
+    /// A formula that is longer, deeper or more work than is allowed.
+    #[error("The formula is too large: at most {limit} {what} are allowed.")]
+    FormulaTooLarge {
+        /// What there is too much of.
+        what: &'static str,
+        /// How much of it is allowed.
+        limit: usize,
+    },
+    /// A parameter's name that a formula cannot use.
+    #[error("“{name}” cannot name a parameter: {reason}.")]
+    InvalidParameter {
+        /// The name given.
+        name: String,
+        /// Why not.
+        reason: &'static str,
+    },
+    /// A parameter that the formula was not made with.
+    #[error("The formula has no parameter “{name}”; it has {known}.")]
+    UnknownParameter {
+        /// The name given.
+        name: String,
+        /// The names that exist, for reading.
+        known: String,
+    },
+    /// Numbers that do not make a map of the kind asked for.
+    #[error("{what} is not possible: {reason}.")]
+    InvalidMap {
+        /// The map asked for.
+        what: &'static str,
+        /// Why the numbers do not make one.
+        reason: &'static str,
+    },
     /// The caller's progress function asked to stop.
     #[error("The computation was cancelled.")]
     Cancelled,
@@ -133,6 +175,11 @@ impl Error {
             Self::Crowded { .. } => "crowded",
             Self::InvalidMesh { .. } => "invalid-mesh",
             Self::NegativeMass { .. } => "negative-mass",
+            Self::Syntax { .. } => "syntax",
+            Self::FormulaTooLarge { .. } => "formula-too-large",
+            Self::InvalidParameter { .. } => "invalid-parameter",
+            Self::UnknownParameter { .. } => "unknown-parameter",
+            Self::InvalidMap { .. } => "invalid-map",
             Self::Cancelled => "cancelled",
         }
     }

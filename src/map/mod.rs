@@ -1,6 +1,13 @@
 //! Maps of the plane, each with its derivative: what a warp pulls a picture back through.
 
+mod compose;
+mod formula;
+mod moebius;
 mod riemann;
+
+pub use compose::Compose;
+pub use formula::FormulaMap;
+pub use moebius::Moebius;
 
 use crate::plane::Complex64;
 
@@ -32,6 +39,20 @@ impl Jet {
     #[must_use]
     pub fn analytic(value: Complex64, derivative: Complex64) -> Self {
         Self { value, dz: derivative, dzbar: Complex64::ZERO }
+    }
+
+    /// The jet of a composition: `self` is the jet of the outer map, at the value of the `inner` one. Undefined where
+    /// the inner map is.
+    #[must_use]
+    pub fn after(&self, inner: &Self) -> Self {
+        if inner.value.is_nan() {
+            return Self::UNDEFINED;
+        }
+        Self {
+            value: self.value,
+            dz: self.dz * inner.dz + self.dzbar * inner.dzbar.conj(),
+            dzbar: self.dz * inner.dzbar + self.dzbar * inner.dz.conj(),
+        }
     }
 
     /// The larger singular value of the Jacobian: how much the map stretches at most. |f'| for a conformal map.
