@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use conformal_warp::plane::Complex64;
-use conformal_warp::warp::TriangleMesh;
+use conformal_warp::warp::{Direction, TriangleMesh};
 use conformal_warp::wasm::texture::{Texture, TextureOptions};
 use conformal_warp::wasm::warp::{DrawOptions, warp};
 use js_sys::{Reflect, Uint8ClampedArray};
@@ -30,7 +30,7 @@ fn identity(options: &JsValue) -> Result<Uint8ClampedArray, JsValue> {
     let nodes = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Complex64::new(x, y));
     let mesh = TriangleMesh { source: &nodes, target: &nodes, triangles: &[[0, 1, 2], [0, 2, 3]], stretch: None };
     let options = Ts::<DrawOptions>::new_unchecked(options.clone());
-    warp(&mesh, &texture("wrap: 'clamp'").unwrap(), &options).map_err(JsValue::from)
+    warp(&mesh, Direction::PushForward, &texture("wrap: 'clamp'").unwrap(), &options).map_err(JsValue::from)
 }
 
 fn property(thrown: &JsValue, name: &str) -> String {

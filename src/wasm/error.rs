@@ -14,6 +14,8 @@ export interface ConformalWarpError extends Error {
     code: string;
     /** Where in the plane it went wrong, if that is known. */
     at?: [x: number, y: number];
+    /** "syntax": where in the formula's text. */
+    position?: number;
     /** "self-intersecting": the two edges that meet; edge k runs from vertex k to vertex k + 1. */
     edges?: [number, number];
     /** "invalid-option": the option's path, for example "view.width". */
@@ -66,7 +68,8 @@ impl From<Error> for Failure {
             Error::SelfIntersecting { first, second, at } => failure
                 .with("edges", &Array::of2(&(first as f64).into(), &(second as f64).into()))
                 .with("at", &points::pair(at).into()),
-            Error::CenterOutside { center } => failure.with("at", &points::pair(center).into()),
+            Error::CenterOutside { center: at } | Error::Crowded { at } => failure.with("at", &points::pair(at).into()),
+            Error::Syntax { position, .. } => failure.with("position", &(position as f64).into()),
             Error::InvalidOption { name, .. } => failure.with("option", &name.into()),
             _ => failure,
         }

@@ -6,6 +6,7 @@
 //! [`warp`] (the methods `warp` and `paint`).
 
 pub mod error;
+pub mod formula;
 pub mod options;
 pub mod points;
 pub mod progress;

@@ -93,6 +93,15 @@ pub fn read_or_default<T: Tsify + DeserializeOwned + Default>(given: Option<&Ts<
     given.map_or_else(|| Ok(T::default()), read)
 }
 
+/// A pair of numbers → a point; `name` is what the caller knows it as.
+///
+/// # Errors
+/// "invalid-option" for anything else.
+pub fn read_point(name: &str, given: &Ts<Point>) -> Result<Complex64, Failure> {
+    let point = Point::deserialize(serde_wasm_bindgen::Deserializer::from(given.js_value()));
+    point.map(Into::into).map_err(|_| Failure::option(name, &format!("{name} must be an array of two numbers.")))
+}
+
 /// A Rust value → JavaScript, with its generated type.
 ///
 /// # Errors

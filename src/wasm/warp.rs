@@ -21,11 +21,11 @@ pub struct DrawOptions {
     pub texture: FrameOptions,
     /// Which part of the plane is drawn, and on how many pixels.
     pub view: FrameOptions,
-    /// "pull-back" (the default): the view's point p shows the texture at f(p). "push-forward": its point f(z) shows
-    /// the texture at z.
-    #[serde(default)]
+    /// "pull-back": the view's point p shows the texture at f(p). "push-forward": its point f(z) shows the texture at
+    /// z. By default a formula pulls back, and what has a domain of its own (a region's map, a mesh, the cortex) pushes
+    /// forward.
     #[tsify(optional)]
-    pub direction: Direction,
+    pub direction: Option<Direction>,
     /// How texels become a pixel, from fast to good; "trilinear" by default.
     #[serde(default)]
     #[tsify(optional)]
@@ -41,11 +41,11 @@ pub struct DrawOptions {
 }
 
 impl DrawOptions {
-    fn split(self) -> Result<(WarpOptions, Option<Uint8ClampedArray>), Failure> {
+    fn split(self, usual: Direction) -> Result<(WarpOptions, Option<Uint8ClampedArray>), Failure> {
         let options = WarpOptions {
             texture: self.texture.try_into()?,
             view: self.view.try_into()?,
-            direction: self.direction,
+            direction: self.direction.unwrap_or(usual),
             quality: self.quality,
             rows: self.rows.map(|[first, end]| first..end),
         };
@@ -53,12 +53,18 @@ impl DrawOptions {
     }
 }
 
-/// The map's picture of the texture: RGBA bytes with straight alpha, `out` itself if it was given.
+/// The map's picture of the texture: RGBA bytes with straight alpha, `out` itself if it was given. `usual` is the
+/// direction of this kind of map.
 ///
 /// # Errors
 /// "invalid-option", "invalid-frame", "invalid-rows", "wrong-length", and those of the map.
-pub fn warp(map: &impl Warp, texture: &Texture, options: &Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
-    let (options, out) = options::read(options)?.split()?;
+pub fn warp(
+    map: &impl Warp,
+    usual: Direction,
+    texture: &Texture,
+    options: &Ts<DrawOptions>,
+) -> Result<Uint8ClampedArray, Failure> {
+    let (options, out) = options::read(options)?.split(usual)?;
     let Some(out) = out else {
         let pixels = map.warp(texture.inner(), &options)?;
         return Ok(Uint8ClampedArray::from(&pixels[..]));
@@ -78,11 +84,12 @@ pub fn warp(map: &impl Warp, texture: &Texture, options: &Ts<DrawOptions>) -> Re
 /// As [`warp`], and what the context throws.
 pub fn paint(
     map: &impl Warp,
+    usual: Direction,
     context: &PaintContext,
     texture: &Texture,
     options: &Ts<DrawOptions>,
 ) -> Result<(), Failure> {
-    let (options, _) = options::read(options)?.split()?;
+    let (options, _) = options::read(options)?.split(usual)?;
     let rows = options.checked_rows()?;
     if rows.is_empty() {
         return Ok(());

@@ -1,0 +1,91 @@
+//! `FormulaMap` in JavaScript.
+
+use super::error::Failure;
+use super::options::{self, Point};
+use super::points;
+use crate::map;
+use js_sys::Object;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// What belongs to a formula.
+#[derive(Debug, Default, Deserialize, Tsify)]
+#[serde(default)]
+pub struct FormulaOptions {
+    /// The parameters that the formula may name, with their first values `[re, im]`.
+    #[tsify(optional, type = "Record<string, [re: number, im: number]>")]
+    pub params: BTreeMap<String, Point>,
+}
+
+/// A map plane → plane given by a formula in z, compiled once: `new FormulaMap("(z - 1)/(z + 1)")`.
+///
+/// - `z`; `i`, `e`, `pi` or `π`, `tau` or `τ`; numbers; the parameters.
+/// - `+ − * / ^`, parentheses, `|z|`; multiplication may be left out: `2z`, `3(z+1)`, `z sin(z)`. `z²`, `√`, `z̄` work too.
+/// - `exp log sqrt pow`; `sin cos tan sec csc cot`, the same with `h`, and the inverses of all with `a` or `arc` before
+///   the name; `gamma`; `conj re im arg abs`.
+/// - Branches: `log(z, k)`, `sqrt(z, k)`, `pow(z, a, k)`; `sum(n, 1, 10, z^n/n)`, `prod(…)`, `iterate(w, z, 8, w^2 + z)`.
+#[derive(Debug)]
+#[wasm_bindgen]
+pub struct FormulaMap(map::FormulaMap);
+
+#[wasm_bindgen]
+impl FormulaMap {
+    /// Compiles the formula.
+    ///
+    /// Throws "syntax" with the `position` in the text, "formula-too-large", "invalid-parameter" or "invalid-option".
+    #[wasm_bindgen(constructor)]
+    pub fn new(text: &str, options: Option<Ts<FormulaOptions>>) -> Result<Self, Failure> {
+        let FormulaOptions { params } = options::read_or_default(options.as_ref())?;
+        let params: Vec<_> = params.iter().map(|(name, &value)| (name.as_str(), value.into())).collect();
+        Ok(Self(map::FormulaMap::with_params(text, &params)?))
+    }
+
+    /// f at each point `[x0, y0, x1, y1, …]`; NaN where it is not defined.
+    pub fn eval(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
+        let points = points::from_flat("The points", points)?;
+        Ok(points::to_flat(&self.0.eval(&points)))
+    }
+
+    /// ∂f/∂z at each point, which is f' where the map is analytic; NaN where f is not defined.
+    pub fn derivative(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
+        let points = points::from_flat("The points", points)?;
+        Ok(points::to_flat(&self.0.derivative(&points)))
+    }
+
+    /// Gives a parameter another value `[re, im]`. Nothing is compiled again.
+    ///
+    /// Throws "unknown-parameter" or "not-finite".
+    #[wasm_bindgen(js_name = setParam)]
+    pub fn set_param(&mut self, name: &str, value: Ts<Point>) -> Result<(), Failure> {
+        Ok(self.0.set_param(name, options::read_point("value", &value)?)?)
+    }
+
+    /// The parameters and their present values.
+    #[wasm_bindgen(getter, unchecked_return_type = "Record<string, [re: number, im: number]>")]
+    pub fn params(&self) -> Result<Object, Failure> {
+        let entries = self.0.params().map(|(name, value)| js_sys::Array::of2(&name.into(), &points::pair(value)));
+        Object::from_entries(&entries.collect::<js_sys::Array>()).map_err(Failure::thrown)
+    }
+
+    /// The formula as it was given.
+    #[wasm_bindgen(getter)]
+    pub fn text(&self) -> String {
+        self.0.text().to_string()
+    }
+
+    /// Whether the map is analytic where it is defined: no `conj`, `re`, `im`, `abs` or `arg` of what depends on z.
+    #[wasm_bindgen(getter, js_name = isAnalytic)]
+    pub fn is_analytic(&self) -> bool {
+        self.0.is_analytic()
+    }
+}
+
+impl FormulaMap {
+    /// The map itself, for the classes that are made from one.
+    #[must_use]
+    pub fn inner(&self) -> &map::FormulaMap {
+        &self.0
+    }
+}
