@@ -4,7 +4,7 @@ use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64, Region};
 use crate::symm::correspondence::angle_of_measure;
 use crate::symm::potential::LogPotential;
-use crate::symm::solve::{Progress, Solution, SolveOptions, Stop, solve};
+use crate::symm::solve::{Progress, Solution, SolveOptions, Stop, solve, solve_again};
 use std::f64::consts::TAU;
 
 /// The conformal map region → unit disk with `center` ↦ 0 and `toward` ↦ 1.
@@ -25,6 +25,7 @@ use std::f64::consts::TAU;
 #[derive(Clone, Debug)]
 pub struct RiemannMap {
     region: Region,
+    options: SolveOptions,
     solution: Solution,
     potential: LogPotential,
     /// Measure from vertex 0 to `toward`.
@@ -39,13 +40,32 @@ impl RiemannMap {
     /// [`Error::InvalidOption`](crate::Error::InvalidOption), [`Error::Cancelled`](crate::Error::Cancelled), and
     /// [`Error::NegativeMass`](crate::Error::NegativeMass) if no trustworthy map was found.
     pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Result<Self> {
-        let solution = solve(region, options, progress)?;
-        let potential = LogPotential::new(&solution.discretisation, &solution.masses);
-        let mut map = Self { region: region.clone(), solution, potential, toward_measure: 0.0, angles: Vec::new() };
-        map.toward_measure = map.measure_at(region.toward());
+        Ok(Self::new(region.clone(), options, solve(region, options, progress)?))
+    }
+
+    /// The map of the same region for another center and direction: another right-hand side of the system already solved.
+    /// Moving only `toward` is a rotation.
+    ///
+    /// # Errors
+    /// As [`RiemannMap::solve`] and [`Region::new`].
+    pub fn with_center(&self, center: Complex64, toward: Complex64, progress: Progress) -> Result<Self> {
+        let region = self.region.with_center(center, toward)?;
+        let solution = if center == self.region.center() {
+            self.solution.clone()
+        } else {
+            solve_again(&self.solution, center, &self.options, progress)?
+        };
+        Ok(Self::new(region, &self.options, solution))
+    }
+
+    fn new(region: Region, options: &SolveOptions, solution: Solution) -> Self {
+        let potential = LogPotential::new(solution.discretisation(), &solution.masses);
+        let options = options.clone();
+        let mut map = Self { region, options, solution, potential, toward_measure: 0.0, angles: Vec::new() };
+        map.toward_measure = map.measure_at(map.region.toward());
         let measures = map.solution.correspondence.vertex_measures();
         map.angles = measures.iter().map(|measure| angle_of_measure(measure - map.toward_measure)).collect();
-        Ok(map)
+        map
     }
 
     /// The region it maps.
@@ -69,7 +89,7 @@ impl RiemannMap {
     /// Angle on the circle → boundary of the region; the inverse of [`RiemannMap::boundary_angle`].
     #[must_use]
     pub fn boundary_point(&self, angle: f64) -> BoundaryPoint {
-        let discretisation = &self.solution.discretisation;
+        let discretisation = self.solution.discretisation();
         let (q, tau) = self.solution.correspondence.locate(discretisation, angle / TAU + self.toward_measure);
         let panel = &discretisation.panels[q];
         let share = panel.distance_at(tau) / discretisation.boundary.lengths[panel.edge];
@@ -91,8 +111,8 @@ impl RiemannMap {
     /// |f'(center)|⁻¹, in plane units: exp ∫ log|y − z₀| dμ(y).
     #[must_use]
     pub fn conformal_radius(&self) -> f64 {
-        let boundary = &self.solution.discretisation.boundary;
-        self.potential.at(&self.solution.discretisation, self.region.center() * boundary.unit).re.exp() / boundary.unit
+        let boundary = &self.solution.discretisation().boundary;
+        self.potential.at(self.solution.discretisation(), self.region.center() * boundary.unit).re.exp() / boundary.unit
     }
 
     /// Largest violation of the boundary condition log|f| = 0 at points where it was not imposed.
@@ -121,7 +141,7 @@ impl RiemannMap {
 
     /// Measure from vertex 0 to a boundary point.
     fn measure_at(&self, point: BoundaryPoint) -> f64 {
-        let discretisation = &self.solution.discretisation;
+        let discretisation = self.solution.discretisation();
         let length = discretisation.boundary.lengths[point.edge];
         let (from_start, from_end) = (point.t * length, (1.0 - point.t) * length);
         let panels = self.solution.correspondence.panels_of_edge(point.edge);
@@ -141,7 +161,7 @@ impl RiemannMap {
         if !self.region.contains(z) {
             return Complex64::new(f64::NAN, f64::NAN);
         }
-        let discretisation = &self.solution.discretisation;
+        let discretisation = self.solution.discretisation();
         let unit = discretisation.boundary.unit;
         let nearest = self.region.polygon().nearest(z);
         if (nearest.point - z).norm() * unit < 4.0 * f64::EPSILON {
@@ -151,14 +171,12 @@ impl RiemannMap {
         if let Some(w) = self.beside_corner(z * unit, nearest) {
             return turn * w;
         }
-        // With arg(z − y) principal at vertex 0, vertex 0 goes to angle 0: the mean of arg((y − z₀)/f(y)) over the
-        // circle is −arg f'(z₀), hence arg f'(z₀) = π − ∫ arg(y − z₀) dμ.
-        (z - self.region.center()) * unit * (-self.potential.at(discretisation, z * unit)).exp() * turn
+        self.potential.map(discretisation, self.solution.center, z * unit) * turn
     }
 
     /// f very near a corner, where the boundary correspondence continued analytically is more accurate than quadrature.
     fn beside_corner(&self, scaled: Complex64, nearest: BoundaryPoint) -> Option<Complex64> {
-        let discretisation = &self.solution.discretisation;
+        let discretisation = self.solution.discretisation();
         let panels = self.solution.correspondence.panels_of_edge(nearest.edge);
         let q = if nearest.t <= 0.5 { panels.start } else { panels.end - 1 };
         let panel = &discretisation.panels[q];

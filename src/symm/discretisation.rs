@@ -3,7 +3,7 @@
 use super::panel::{Boundary, Panel};
 use super::rule::{Order, PanelRule, Rules};
 use crate::plane::Complex64;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A point of the boundary, held as a vertex and an offset from it, so that distances near the vertex keep their digits.
 #[derive(Clone, Copy, Debug)]
@@ -18,11 +18,11 @@ pub struct Target {
 #[derive(Clone, Debug)]
 pub struct Discretisation {
     /// The scaled polygon.
-    pub boundary: Rc<Boundary>,
+    pub boundary: Arc<Boundary>,
     /// Panels in boundary order from vertex 0.
     pub panels: Vec<Panel>,
     /// The rule of each panel.
-    pub rules: Vec<Rc<PanelRule>>,
+    pub rules: Vec<Arc<PanelRule>>,
     /// Degrees and distances.
     pub order: Order,
 }
@@ -30,7 +30,7 @@ pub struct Discretisation {
 impl Discretisation {
     /// Puts rules to panels.
     #[must_use]
-    pub fn new(boundary: Rc<Boundary>, panels: Vec<Panel>, rules: &mut Rules) -> Self {
+    pub fn new(boundary: Arc<Boundary>, panels: Vec<Panel>, rules: &mut Rules) -> Self {
         let panel_rules = panels.iter().map(|panel| rules.of(panel)).collect();
         Self { boundary, panels, rules: panel_rules, order: rules.order.clone() }
     }

@@ -13,9 +13,13 @@
 //! ([`log_moments`] when near), [`discretisation`] writes the equations, [`solve`] solves and refines them,
 //! [`correspondence`] is θ on the boundary, [`potential`] the map inside.
 
+pub mod clusters;
 pub mod correspondence;
 pub mod discretisation;
 mod fast_log;
+pub mod fast_multipole;
+pub mod gmres;
+pub mod influence;
 pub mod legendre;
 pub mod log_moments;
 pub mod lu;
@@ -23,3 +27,5 @@ pub mod panel;
 pub mod potential;
 pub mod rule;
 pub mod solve;
+pub mod system;
+pub mod two_level;

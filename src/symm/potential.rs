@@ -42,6 +42,15 @@ impl LogPotential {
         }
         sum
     }
+
+    /// f(z) for the region's map with `center` ↦ 0 and vertex 0 ↦ 1 (scaled units).
+    ///
+    /// With arg(z − y) principal at vertex 0, vertex 0 goes to angle 0: the mean of arg((y − z₀)/f(y)) over the circle is
+    /// −arg f'(z₀), hence arg f'(z₀) = π − ∫ arg(y − z₀) dμ.
+    #[must_use]
+    pub fn map(&self, discretisation: &Discretisation, center: Complex64, z: Complex64) -> Complex64 {
+        (z - center) * (-self.at(discretisation, z)).exp()
+    }
 }
 
 /// arg(z − v) for the vertices v, each edge turning by less than π; one more entry closes the curve.

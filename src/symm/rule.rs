@@ -5,25 +5,31 @@
 //! moments count, for targets far from it. A target walks outwards in: while the union is near, it takes the piece (by
 //! Gauss's rule, or by exact moments when that is near too), then looks at the next union.
 //! A regular panel is one piece whose density is the polynomial itself.
+//! Most targets are so far away that half the moments do: they are asked first.
 
 use super::legendre::{GaussRule, MAX_NODES};
 use super::log_moments::{log_moments, outside_ellipse};
 use super::{fast_log, panel::Panel};
 use crate::plane::Complex64;
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Degrees and distances of a discretisation; all follow from the accuracy wanted.
 #[derive(Clone, Debug)]
 pub struct Order {
     /// Nodes of a panel: p unknowns, density of degree p − 1 in τ.
     pub panel: GaussRule,
+    /// Digits that the quadrature keeps.
+    pub digits: f64,
     /// Nodes of a piece or union.
     pub piece: GaussRule,
     /// Gauss's rule serves a piece outside the Bernstein ellipse with this semi-axis.
     piece_ellipse: f64,
     /// The moments serve a union outside this one.
     union_ellipse: f64,
+    /// Half as many nodes, whose moments serve a whole panel outside `far_ellipse`.
+    far: GaussRule,
+    far_ellipse: f64,
 }
 
 impl Order {
@@ -41,10 +47,17 @@ impl Order {
         let semi_axis = |power: usize| (digits * std::f64::consts::LN_10 / power as f64).cosh();
         Self {
             panel: GaussRule::new(p),
+            digits,
             piece: GaussRule::new(m),
             piece_ellipse: semi_axis(2 * m - p.min(m)),
             union_ellipse: semi_axis(m),
+            far: GaussRule::new(m / 2),
+            far_ellipse: semi_axis(m / 2),
         }
+    }
+
+    fn nodes(&self, rows: Rows) -> &[f64] {
+        if rows == Rows::FarNodes { &self.far.nodes } else { &self.piece.nodes }
     }
 
     /// Unknowns a panel.
@@ -62,6 +75,7 @@ pub struct PanelRule {
     /// Dyadic levels; 0 for a regular panel.
     levels: usize,
     /// Blocks of m × p: what the node masses become on the nodes (or in the Legendre coefficients) of each part.
+    /// The last one is m/2 × p: the far nodes of the whole panel.
     blocks: Vec<f64>,
 }
 
@@ -71,8 +85,19 @@ struct Part {
     block: usize,
     center: f64,
     half: f64,
-    /// Exact moments (the block holds Legendre coefficients) rather than nodes (it holds masses).
-    exact: bool,
+    /// What the rows of the block are.
+    rows: Rows,
+}
+
+/// What the rows of a block are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rows {
+    /// Masses on the nodes of `Order::piece`.
+    Nodes,
+    /// Masses on the nodes of `Order::far`.
+    FarNodes,
+    /// Legendre coefficients, for exact moments.
+    Coefficients,
 }
 
 impl PanelRule {
@@ -88,6 +113,8 @@ impl PanelRule {
             rule.levels = (-closest.log2()).ceil() as usize + 3;
             rule.blocks = graded_blocks(order, exponent, rule.levels);
         }
+        let far = far_block(order, rule.block(0));
+        rule.blocks.extend(far);
         rule
     }
 
@@ -113,11 +140,29 @@ impl PanelRule {
         2 * self.levels + 1 + l
     }
 
+    fn far_block(&self) -> usize {
+        if self.levels == 0 { 2 } else { 3 * self.levels + 1 }
+    }
+
+    /// How many rows of a block count.
+    fn row_count(&self, rows: Rows) -> usize {
+        match rows {
+            Rows::Nodes => self.m,
+            Rows::FarNodes => self.m / 2,
+            Rows::Coefficients if self.levels == 0 => self.p,
+            Rows::Coefficients => self.m,
+        }
+    }
+
     /// Calls `visit` for the parts that make up the panel as seen from `target` (scaled so that the panel is [0, 1]).
     fn for_each_part(&self, order: &Order, target: Complex64, mut visit: impl FnMut(Part)) {
+        let whole = Part { block: self.far_block(), center: 0.5, half: 0.5, rows: Rows::FarNodes };
+        if outside_ellipse(2.0 * target - 1.0, order.far_ellipse) {
+            return visit(whole);
+        }
         let mut reach = 1.0;
         for l in 0..=self.levels {
-            let union = Part { block: Self::union_block(l), center: 0.5 * reach, half: 0.5 * reach, exact: false };
+            let union = Part { block: Self::union_block(l), center: 0.5 * reach, half: 0.5 * reach, rows: Rows::Nodes };
             let regular = self.levels == 0;
             let ellipse = if regular { order.piece_ellipse } else { order.union_ellipse };
             let last_union = l == self.levels && !regular;
@@ -125,13 +170,14 @@ impl PanelRule {
                 return visit(union);
             }
             if regular {
-                return visit(Part { block: 1, exact: true, ..union });
+                return visit(Part { block: 1, rows: Rows::Coefficients, ..union });
             }
-            let piece = Part { block: self.piece_block(l), center: 0.75 * reach, half: 0.25 * reach, exact: false };
+            let piece =
+                Part { block: self.piece_block(l), center: 0.75 * reach, half: 0.25 * reach, rows: Rows::Nodes };
             if outside_ellipse((target - piece.center) / piece.half, order.piece_ellipse) {
                 visit(piece);
             } else {
-                visit(Part { block: self.moment_block(l), exact: true, ..piece });
+                visit(Part { block: self.moment_block(l), rows: Rows::Coefficients, ..piece });
             }
             reach *= 0.5;
         }
@@ -142,29 +188,22 @@ impl PanelRule {
     pub fn add_row(&self, order: &Order, target: Complex64, log_scale: f64, row: &mut [f64]) {
         self.for_each_part(order, target, |part| {
             let mut logs = [0.0; MAX_NODES];
-            let logs = &mut logs[..self.m];
-            if part.exact {
-                let count = self.coefficient_count();
-                exact_logs(target, part, log_scale, &mut logs[..count], |moment| moment.re);
+            let logs = &mut logs[..self.row_count(part.rows)];
+            if part.rows == Rows::Coefficients {
+                exact_logs(target, part, log_scale, logs, |moment| moment.re);
             } else {
                 let height = target.im * target.im;
-                for (log, t) in logs.iter_mut().zip(&order.piece.nodes) {
+                for (log, t) in logs.iter_mut().zip(order.nodes(part.rows)) {
                     let along = target.re - part.center - part.half * t;
                     *log = along * along + height;
                 }
                 fast_log::half_ln(logs);
                 logs.iter_mut().for_each(|log| *log += log_scale);
             }
-            let rows = if part.exact { self.coefficient_count() } else { self.m };
-            for (log, weights) in logs[..rows].iter().zip(self.block(part.block).chunks_exact(self.p)) {
+            for (log, weights) in logs.iter().zip(self.blocks[part.block * self.m * self.p..].chunks_exact(self.p)) {
                 row.iter_mut().zip(weights).for_each(|(r, w)| *r += log * w);
             }
         });
-    }
-
-    /// Legendre coefficients of an exact part: p on a regular panel, m on a piece of a graded one.
-    fn coefficient_count(&self) -> usize {
-        if self.levels == 0 { self.p } else { self.m }
     }
 
     /// What given node masses become in every block: the input of [`PanelRule::potential`].
@@ -179,14 +218,14 @@ impl PanelRule {
     pub fn potential(&self, order: &Order, target: Complex64, log_scale: f64, charges: &[f64]) -> Complex64 {
         let mut sum = Complex64::ZERO;
         self.for_each_part(order, target, |part| {
-            let charges = &charges[part.block * self.m..][..self.m];
-            if part.exact {
+            let charges = &charges[part.block * self.m..][..self.row_count(part.rows)];
+            if part.rows == Rows::Coefficients {
                 let mut logs = [Complex64::ZERO; MAX_NODES];
-                let logs = &mut logs[..self.coefficient_count()];
+                let logs = &mut logs[..charges.len()];
                 exact_logs(target, part, log_scale, logs, |moment| moment);
                 sum += logs.iter().zip(charges).map(|(log, charge)| log * charge).sum::<Complex64>();
             } else {
-                for (charge, t) in charges.iter().zip(&order.piece.nodes) {
+                for (charge, t) in charges.iter().zip(order.nodes(part.rows)) {
                     sum += ((target - (part.center + part.half * t)).ln() + log_scale) * charge;
                 }
             }
@@ -194,13 +233,12 @@ impl PanelRule {
         sum
     }
 
-    /// The masses on the m nodes of the whole panel that stand for it in the far field, and those nodes in [0, 1].
-    pub fn far_sources<'a>(&'a self, order: &'a Order, masses: &'a [f64]) -> impl Iterator<Item = (f64, f64)> + 'a {
-        let weights = self.block(Self::union_block(0)).chunks_exact(self.p);
-        order.piece.nodes.iter().zip(weights).map(move |(t, row)| {
-            let mass = row.iter().zip(masses).map(|(w, x)| w * x).sum();
-            (0.5 + 0.5 * t, mass)
-        })
+    /// Calls `visit` with the place in [0, 1] of each of the m nodes that stand for the whole panel in the far field, and
+    /// the mass there for a unit mass at each of the panel's p nodes.
+    pub fn for_each_source(&self, order: &Order, mut visit: impl FnMut(f64, &[f64])) {
+        for (t, masses) in order.piece.nodes.iter().zip(self.block(Self::union_block(0)).chunks_exact(self.p)) {
+            visit(0.5 + 0.5 * t, masses);
+        }
     }
 }
 
@@ -236,6 +274,20 @@ fn regular_blocks(order: &Order) -> Vec<f64> {
         }
     }
     blocks
+}
+
+/// m/2 × p: the masses on far nodes with the same first m/2 moments as the m × p masses given.
+fn far_block(order: &Order, union: &[f64]) -> Vec<f64> {
+    let p = order.p();
+    let mut block = vec![0.0; order.far.len() * p];
+    let mut basis = vec![0.0; order.far.len()];
+    for (t, masses) in order.piece.nodes.iter().zip(union.chunks_exact(p)) {
+        order.far.lagrange(*t, &mut basis);
+        for (row, b) in block.chunks_exact_mut(p).zip(&basis) {
+            row.iter_mut().zip(masses).for_each(|(r, mass)| *r += b * mass);
+        }
+    }
+    block
 }
 
 /// Blocks of a panel with a corner variable: unions 0 … levels, pieces 0 … levels−1, and the pieces' coefficients.
@@ -324,7 +376,7 @@ fn add_product(left: &[f64], right: &[f64], m: usize, p: usize, result: &mut [f6
 pub struct Rules {
     /// What they have in common.
     pub order: Order,
-    by_exponent: HashMap<u64, Rc<PanelRule>>,
+    by_exponent: HashMap<u64, Arc<PanelRule>>,
 }
 
 impl Rules {
@@ -335,10 +387,10 @@ impl Rules {
     }
 
     /// The rule for a panel.
-    pub fn of(&mut self, panel: &Panel) -> Rc<PanelRule> {
+    pub fn of(&mut self, panel: &Panel) -> Arc<PanelRule> {
         let order = &self.order;
-        let make = || Rc::new(PanelRule::new(order, panel.exponent));
-        Rc::clone(self.by_exponent.entry(panel.exponent.to_bits()).or_insert_with(make))
+        let make = || Arc::new(PanelRule::new(order, panel.exponent));
+        Arc::clone(self.by_exponent.entry(panel.exponent.to_bits()).or_insert_with(make))
     }
 }
 

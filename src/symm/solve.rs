@@ -6,12 +6,15 @@
 
 use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::Discretisation;
-use super::lu::{Lu, dot};
+
 use super::panel::{Boundary, Panel, initial_panels};
+use super::potential::LogPotential;
 use super::rule::{Order, Rules};
+use super::system::{System, SystemSolution};
 use crate::plane::{Complex64, Region};
 use crate::{Error, Result};
-use std::rc::Rc;
+use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// What a solve should reach, and what it may spend.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,7 +27,7 @@ pub struct SolveOptions {
 
 impl Default for SolveOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-8, max_unknowns: 6000 }
+        Self { tolerance: 1e-8, max_unknowns: 150_000 }
     }
 }
 
@@ -46,8 +49,10 @@ pub enum Stop {
 /// A solved equation, with its evidence.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// The panels it lives on.
-    pub discretisation: Discretisation,
+    /// The system, ready for another center.
+    pub system: Arc<System>,
+    /// The center, in the scaled units of the boundary.
+    pub center: Complex64,
     /// Mass of harmonic measure at each node.
     pub masses: Vec<f64>,
     /// θ along the boundary.
@@ -60,12 +65,24 @@ pub struct Solution {
     pub stop: Stop,
 }
 
+impl Solution {
+    /// The panels it lives on.
+    #[must_use]
+    pub fn discretisation(&self) -> &Discretisation {
+        &self.system.discretisation
+    }
+}
+
 /// The map's error is at most about twice the residual (measured); twice that is the estimate.
 const ERROR_PER_RESIDUAL: f64 = 4.0;
 /// Rounding alone makes errors of this size.
 const ROUNDING: f64 = 1e-14;
 /// Panels whose own residual is above this share of the acceptable one are halved.
 const REFINE_SHARE: f64 = 0.3;
+/// The linear systems are solved to this share of it.
+const ITERATION_SHARE: f64 = 0.1;
+/// Below this, a residual that refining did not halve is taken for rounding.
+const STAGNATION_BELOW: f64 = 1e-10;
 /// Corner panels reach this far, measured in the clearance of their corner.
 const KAPPA: f64 = 1.0;
 
@@ -81,34 +98,86 @@ pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Res
             value: options.tolerance,
         });
     }
-    let boundary = Rc::new(Boundary::new(region.polygon()));
+    let boundary = Arc::new(Boundary::new(region.polygon()));
     let center = region.center() * boundary.unit;
     let mut rules = Rules::new(order_for(options.tolerance));
-    let mut panels = initial_panels(&boundary, KAPPA);
+    let panels = initial_panels(&boundary, KAPPA);
+    let discretisation = Discretisation::new(boundary, panels, &mut rules);
+    let system = Arc::new(System::new(discretisation, progress)?);
+    adapt(system, rules, center, None, options, progress)
+}
+
+/// The same region for another `center` (plane units): one more right-hand side of the same system, unless the panels turn
+/// out too coarse for it. `options` should be those of the first solve.
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_again(
+    previous: &Solution,
+    center: Complex64,
+    options: &SolveOptions,
+    progress: Progress,
+) -> Result<Solution> {
+    let discretisation = previous.discretisation();
+    let center = center * discretisation.boundary.unit;
+    let rules = Rules::new(discretisation.order.clone());
+    adapt(Arc::clone(&previous.system), rules, center, Some(moved_measure(previous, center)), options, progress)
+}
+
+/// Harmonic measure seen from `center`, as far as `previous` knows: Poisson's kernel times the measure seen from its own
+/// center, dμ₁ = (1 − |w|²)/|e^{iθ} − w|² dμ₀ with w = f₀(center).
+fn moved_measure(previous: &Solution, center: Complex64) -> Vec<f64> {
+    let discretisation = previous.discretisation();
+    let w = LogPotential::new(discretisation, &previous.masses).map(discretisation, previous.center, center);
+    let tau = discretisation.order.panel.nodes.iter().map(|t| 0.5 * (t + 1.0));
+    let nodes = (0..discretisation.panels.len()).flat_map(|q| tau.clone().map(move |tau| (q, tau)));
+    let poisson = |(q, tau)| {
+        let theta = TAU * previous.correspondence.measure(discretisation, q, tau);
+        (1.0 - w.norm_sqr()) / (Complex64::cis(theta) - w).norm_sqr()
+    };
+    nodes.zip(&previous.masses).map(|(node, mass)| mass * poisson(node)).collect()
+}
+
+/// Solves, and halves panels and solves again until the estimate meets the tolerance.
+fn adapt(
+    mut system: Arc<System>,
+    mut rules: Rules,
+    center: Complex64,
+    mut guess: Option<Vec<f64>>,
+    options: &SolveOptions,
+    progress: Progress,
+) -> Result<Solution> {
+    let acceptable = options.tolerance / ERROR_PER_RESIDUAL;
     let mut previous_residual = f64::INFINITY;
     loop {
-        let discretisation = Discretisation::new(Rc::clone(&boundary), panels, &mut rules);
-        let (mut solution, residuals) = solve_on(discretisation, center, progress)?;
-        let acceptable = options.tolerance / ERROR_PER_RESIDUAL;
-        panels = refine(&solution.discretisation.panels, &residuals, REFINE_SHARE * acceptable);
-        let stop = if solution.error_estimate <= options.tolerance {
+        let SystemSolution { masses, c, residuals } =
+            system.solve(center, ITERATION_SHARE * acceptable, guess.take(), progress)?;
+        let residual = residuals.iter().fold(c.abs(), |worst, r| if *r > worst || r.is_nan() { *r } else { worst });
+        let error_estimate = ERROR_PER_RESIDUAL * residual + ROUNDING;
+        let discretisation = &system.discretisation;
+        let panels = refine(&discretisation.panels, &residuals, REFINE_SHARE * acceptable);
+        let stop = if error_estimate <= options.tolerance {
             Some(Stop::Tolerance)
-        } else if solution.residual > 0.5 * previous_residual && solution.residual < 1e-10 {
-            Some(Stop::Stagnation)
         } else if panels.len() * rules.order.p() > options.max_unknowns {
             Some(Stop::MaxUnknowns)
+        } else if panels.len() == discretisation.panels.len()
+            || (residual > 0.5 * previous_residual && residual < STAGNATION_BELOW)
+        {
+            Some(Stop::Stagnation)
         } else {
             None
         };
         if let Some(stop) = stop {
-            solution.stop = stop;
-            let mass = solution.correspondence.smallest_mass();
-            if mass < -solution.error_estimate || !solution.residual.is_finite() {
-                return Err(Error::NegativeMass { mass, estimate: solution.error_estimate });
+            let correspondence = BoundaryCorrespondence::new(discretisation, &masses);
+            let mass = correspondence.smallest_mass();
+            if mass < -error_estimate || !residual.is_finite() {
+                return Err(Error::NegativeMass { mass, estimate: error_estimate });
             }
-            return Ok(solution);
+            return Ok(Solution { system, center, masses, correspondence, residual, error_estimate, stop });
         }
-        previous_residual = solution.residual;
+        previous_residual = residual;
+        let refined = Discretisation::new(Arc::clone(&discretisation.boundary), panels, &mut rules);
+        system = Arc::new(System::new(refined, progress)?);
     }
 }
 
@@ -132,48 +201,4 @@ fn refine(panels: &[Panel], residuals: &[f64], acceptable: f64) -> Vec<Panel> {
         .zip(residuals)
         .flat_map(|(panel, residual)| if *residual > acceptable { panel.halves().to_vec() } else { vec![*panel] })
         .collect()
-}
-
-/// The solution on given panels, and the largest residual on each of them.
-fn solve_on(discretisation: Discretisation, center: Complex64, progress: Progress) -> Result<(Solution, Vec<f64>)> {
-    let n = discretisation.unknowns();
-    let targets = discretisation.collocation_points();
-    let mut matrix = vec![0.0; (n + 1) * (n + 1)];
-    for (i, (target, row)) in targets.iter().zip(matrix.chunks_exact_mut(n + 1)).enumerate() {
-        discretisation.fill_row(*target, 0, &mut row[..n]);
-        row[n] = 1.0;
-        if i % 64 == 0 && !progress("assemble", i as f64 / n as f64) {
-            return Err(Error::Cancelled);
-        }
-    }
-    matrix[n * (n + 1)..][..n].fill(1.0);
-    let mut masses = discretisation.log_distances(&targets, center);
-    masses.push(1.0);
-    Lu::new(n + 1, matrix).solve(&mut masses);
-    let c = masses.pop().unwrap_or(f64::NAN);
-    let residuals = panel_residuals(&discretisation, &masses, c, center);
-    let residual = residuals.iter().fold(c.abs(), |worst, r| worst.max(*r));
-    let correspondence = BoundaryCorrespondence::new(&discretisation, &masses);
-    let error_estimate = ERROR_PER_RESIDUAL * residual + ROUNDING;
-    Ok((
-        Solution { discretisation, masses, correspondence, residual, error_estimate, stop: Stop::Tolerance },
-        residuals,
-    ))
-}
-
-/// Largest violation of the equation on each panel, at its check points.
-fn panel_residuals(discretisation: &Discretisation, masses: &[f64], c: f64, center: Complex64) -> Vec<f64> {
-    let checks = discretisation.check_points();
-    let log_distances = discretisation.log_distances(&checks, center);
-    let mut row = vec![0.0; masses.len()];
-    let mut residual_at = |(check, log_distance): (&_, &f64)| {
-        discretisation.fill_row(*check, 0, &mut row);
-        (dot(&row, masses) + c - log_distance).abs()
-    };
-    let residuals: Vec<f64> = checks.iter().zip(&log_distances).map(&mut residual_at).collect();
-    residuals.chunks_exact(checks.len() / discretisation.panels.len()).map(largest).collect()
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |a, b| if *b > a || b.is_nan() { *b } else { a })
 }

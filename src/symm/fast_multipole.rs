@@ -1,0 +1,314 @@
+//! The product masses → potentials in nearly linear time (Greengard & Rokhlin 1987), for thousands of vertices.
+//!
+//! A cluster of panels far away acts through its multipole expansion Q log(z−b) + Σ aₖ/(z−b)ᵏ, which becomes a Taylor
+//! series Σ bₗ(z−t)ˡ around a cluster of targets; near pairs keep their exact matrix entries. Powers are scaled by the
+//! clusters' radii, so that no size overflows.
+
+use super::clusters::{Cluster, ClusterTree, Interactions};
+use super::discretisation::{Discretisation, Target};
+use super::influence::Influence;
+use super::solve::Progress;
+use crate::plane::Complex64;
+use crate::{Error, Result};
+
+/// Clusters this far apart interact through expansions, whose error falls like SEPARATION^order.
+const SEPARATION: f64 = 0.5;
+/// Unknowns of a leaf, about.
+const LEAF_UNKNOWNS: usize = 48;
+
+/// Near entries stored, far ones expanded.
+pub struct FastInfluence {
+    tree: ClusterTree,
+    interactions: Interactions,
+    p: usize,
+    /// Terms of an expansion beyond the first.
+    order: usize,
+    /// Targets a panel.
+    targets_per_panel: usize,
+    /// For each unknown of a leaf, the scaled multipole coefficients of a unit mass: order + 1 of them.
+    unit_multipoles: Vec<Complex64>,
+    /// For each target, its place in its leaf's disk: (z − t)/radius.
+    places: Vec<Complex64>,
+    /// Entries of the near pairs, row-major, one after another.
+    near_entries: Vec<f64>,
+    /// `binomials[l·order + k]` = (−1)^(k+1) C(l+k, k), for the coefficient k + 1 of the source.
+    binomials: Vec<f64>,
+}
+
+impl FastInfluence {
+    /// The potentials at `targets`, which are equally many on each panel, in the order of the panels.
+    /// Entries are good to `10^-digits`.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn new(discretisation: &Discretisation, targets: &[Target], digits: f64, progress: Progress) -> Result<Self> {
+        let p = discretisation.order.p();
+        let order = (digits * std::f64::consts::LN_10 / -SEPARATION.ln()).ceil() as usize;
+        let tree = ClusterTree::new(discretisation, LEAF_UNKNOWNS.div_ceil(p));
+        let interactions = tree.interactions(SEPARATION);
+        let targets_per_panel = targets.len() / discretisation.panels.len();
+        let mut fast = Self {
+            p,
+            order,
+            targets_per_panel,
+            unit_multipoles: unit_multipoles(discretisation, &tree, order),
+            places: places(discretisation, &tree, targets, targets_per_panel),
+            near_entries: Vec::new(),
+            binomials: binomials(order),
+            tree,
+            interactions,
+        };
+        fast.fill_near(discretisation, targets, progress)?;
+        Ok(fast)
+    }
+
+    fn fill_near(&mut self, discretisation: &Discretisation, targets: &[Target], progress: Progress) -> Result<()> {
+        let clusters = &self.tree.clusters;
+        let size = |&(t, s): &(usize, usize)| {
+            clusters[t].panels.len() * self.targets_per_panel * clusters[s].panels.len() * self.p
+        };
+        self.near_entries = vec![0.0; self.interactions.near.iter().map(size).sum()];
+        let mut rest = self.near_entries.as_mut_slice();
+        for (done, pair) in self.interactions.near.iter().enumerate() {
+            let (block, after) = rest.split_at_mut(size(pair));
+            rest = after;
+            let (target, source) = (&clusters[pair.0], &clusters[pair.1]);
+            let rows = target.panels.start * self.targets_per_panel..target.panels.end * self.targets_per_panel;
+            for (target, row) in targets[rows].iter().zip(block.chunks_exact_mut(source.panels.len() * self.p)) {
+                discretisation.fill_row(*target, source.panels.start, row);
+            }
+            if done % 64 == 0 && !progress("assemble", done as f64 / self.interactions.near.len() as f64) {
+                return Err(Error::Cancelled);
+            }
+        }
+        Ok(())
+    }
+
+    /// Upward: multipole coefficients of every cluster.
+    fn multipoles(&self, masses: &[f64]) -> Vec<Complex64> {
+        let terms = self.order + 1;
+        let mut multipoles = vec![Complex64::ZERO; self.tree.clusters.len() * terms];
+        for (index, cluster) in self.tree.clusters.iter().enumerate().rev() {
+            let (head, tail) = multipoles.split_at_mut((index + 1) * terms);
+            let own = &mut head[index * terms..];
+            if let Some(children) = cluster.children {
+                for child in children {
+                    let from = &tail[(child - index - 1) * terms..][..terms];
+                    self.shift_multipole(&self.tree.clusters[child], from, cluster, own);
+                }
+            } else {
+                let unknowns = cluster.panels.start * self.p..cluster.panels.end * self.p;
+                let units = self.unit_multipoles[unknowns.start * terms..unknowns.end * terms].chunks_exact(terms);
+                for (mass, unit) in masses[unknowns].iter().zip(units) {
+                    own.iter_mut().zip(unit).for_each(|(a, u)| *a += u * mass);
+                }
+            }
+        }
+        multipoles
+    }
+
+    /// Adds a child's expansion to its parent's: aₗ += Σₖ C(l−1, k−1) aₖ d^(l−k) − Q dˡ/l, d = child − parent.
+    fn shift_multipole(&self, child: &Cluster, from: &[Complex64], parent: &Cluster, to: &mut [Complex64]) {
+        let shift = (child.center - parent.center) / parent.radius;
+        let shrink = child.radius / parent.radius;
+        to[0] += from[0];
+        // Horner-like: the sum over k of C(l−1, k−1) aₖ d^(l−k), from scaled coefficients.
+        let mut scaled: Vec<Complex64> = Vec::with_capacity(self.order);
+        let mut power = 1.0;
+        for a in &from[1..] {
+            power *= shrink;
+            scaled.push(a * power);
+        }
+        let mut shift_power = Complex64::new(1.0, 0.0);
+        for l in 1..=self.order {
+            shift_power *= shift;
+            to[l] -= from[0] * shift_power / l as f64;
+            let mut sum = Complex64::ZERO;
+            for k in 1..=l {
+                sum = sum * shift + scaled[k - 1] * choose(l - 1, k - 1, &self.binomials, self.order);
+            }
+            to[l] += sum;
+        }
+    }
+
+    /// Across: adds a far source's field to a target's Taylor series.
+    fn add_far(&self, source: &Cluster, multipole: &[Complex64], target: &Cluster, local: &mut [Complex64]) {
+        let apart = source.center - target.center;
+        let (near, far) = (source.radius / apart, target.radius / apart);
+        let charge = multipole[0];
+        let mut scaled = [Complex64::ZERO; MAX_ORDER];
+        let mut power = Complex64::new(1.0, 0.0);
+        for (u, a) in scaled.iter_mut().zip(&multipole[1..]) {
+            power *= near;
+            *u = a * power;
+        }
+        let scaled = &scaled[..self.order];
+        let mut power = Complex64::new(1.0, 0.0);
+        for (l, b) in local.iter_mut().enumerate() {
+            let row = &self.binomials[l * self.order..][..self.order];
+            let sum: Complex64 = scaled.iter().zip(row).map(|(u, c)| u * c).sum();
+            let log = if l == 0 { charge * (-apart).ln() } else { -charge / l as f64 };
+            *b += (sum + log) * power;
+            power *= far;
+        }
+    }
+
+    /// Downward: adds the parent's Taylor series to a child's.
+    fn shift_local(&self, parent: &Cluster, from: &[Complex64], child: &Cluster, to: &mut [Complex64]) {
+        let shift = (child.center - parent.center) / parent.radius;
+        let shrink = child.radius / parent.radius;
+        // Repeated synthetic division re-expands the polynomial around the child's center.
+        let mut work = from.to_vec();
+        let mut power = 1.0;
+        for l in 0..work.len() {
+            for k in (l..work.len() - 1).rev() {
+                let above = work[k + 1];
+                work[k] += above * shift;
+            }
+            to[l] += work[l] * power;
+            power *= shrink;
+        }
+    }
+
+    fn locals(&self, multipoles: &[Complex64]) -> Vec<Complex64> {
+        let terms = self.order + 1;
+        let clusters = &self.tree.clusters;
+        let mut locals = vec![Complex64::ZERO; clusters.len() * terms];
+        for &(target, source) in &self.interactions.far {
+            let multipole = &multipoles[source * terms..][..terms];
+            let local = &mut locals[target * terms..][..terms];
+            self.add_far(&clusters[source], multipole, &clusters[target], local);
+        }
+        for (index, cluster) in clusters.iter().enumerate() {
+            for child in cluster.children.into_iter().flatten() {
+                let (head, tail) = locals.split_at_mut(child * terms);
+                self.shift_local(cluster, &head[index * terms..][..terms], &clusters[child], &mut tail[..terms]);
+            }
+        }
+        locals
+    }
+}
+
+/// More terms than 16 digits need at this separation.
+const MAX_ORDER: usize = 56;
+
+impl Influence for FastInfluence {
+    fn apply(&self, masses: &[f64], potentials: &mut [f64]) {
+        let terms = self.order + 1;
+        let locals = self.locals(&self.multipoles(masses));
+        for (index, cluster) in self.tree.clusters.iter().enumerate().filter(|(_, c)| c.children.is_none()) {
+            let local = &locals[index * terms..][..terms];
+            let rows = cluster.panels.start * self.targets_per_panel..cluster.panels.end * self.targets_per_panel;
+            for i in rows {
+                let place = self.places[i];
+                potentials[i] = local.iter().rev().fold(Complex64::ZERO, |sum, b| sum * place + b).re;
+            }
+        }
+        let mut entries = self.near_entries.as_slice();
+        for &(target, source) in &self.interactions.near {
+            let (target, source) = (&self.tree.clusters[target], &self.tree.clusters[source]);
+            let masses = &masses[source.panels.start * self.p..source.panels.end * self.p];
+            for i in target.panels.start * self.targets_per_panel..target.panels.end * self.targets_per_panel {
+                let (row, rest) = entries.split_at(masses.len());
+                entries = rest;
+                potentials[i] += super::lu::dot(row, masses);
+            }
+        }
+    }
+}
+
+/// Scaled multipole coefficients (charge, then aₖ/radiusᵏ with aₖ = −∫ (y−b)ᵏ dμ/k) of a unit mass at each node.
+fn unit_multipoles(discretisation: &Discretisation, tree: &ClusterTree, order: usize) -> Vec<Complex64> {
+    let p = discretisation.order.p();
+    let mut multipoles = vec![Complex64::ZERO; discretisation.unknowns() * (order + 1)];
+    for leaf in tree.clusters.iter().filter(|cluster| cluster.children.is_none()) {
+        for q in leaf.panels.clone() {
+            let panel = &discretisation.panels[q];
+            let corner = discretisation.boundary.vertices[panel.corner] - leaf.center;
+            discretisation.rules[q].for_each_source(&discretisation.order, |place, masses| {
+                let s = panel.start + place * panel.length();
+                let y = (corner + panel.direction * s) / leaf.radius;
+                let mut power = Complex64::new(1.0, 0.0);
+                for k in 0..=order {
+                    let term = if k == 0 { power } else { -power / k as f64 };
+                    for (j, mass) in masses.iter().enumerate() {
+                        multipoles[(q * p + j) * (order + 1) + k] += term * mass;
+                    }
+                    power *= y;
+                }
+            });
+        }
+    }
+    multipoles
+}
+
+fn places(
+    discretisation: &Discretisation,
+    tree: &ClusterTree,
+    targets: &[Target],
+    targets_per_panel: usize,
+) -> Vec<Complex64> {
+    let mut places = vec![Complex64::ZERO; targets.len()];
+    for leaf in tree.clusters.iter().filter(|cluster| cluster.children.is_none()) {
+        for i in leaf.panels.start * targets_per_panel..leaf.panels.end * targets_per_panel {
+            let z = discretisation.boundary.vertices[targets[i].corner] + targets[i].offset;
+            places[i] = (z - leaf.center) / leaf.radius;
+        }
+    }
+    places
+}
+
+/// `[l·order + k]` = (−1)^(k+1) C(l+k, k): row l, source coefficient k + 1.
+fn binomials(order: usize) -> Vec<f64> {
+    let mut table = vec![0.0; (order + 1) * order];
+    for l in 0..=order {
+        let mut value = -1.0;
+        for k in 0..order {
+            table[l * order + k] = value;
+            value *= -((l + k + 1) as f64) / (k + 1) as f64;
+        }
+    }
+    table
+}
+
+/// C(n, k) from that table.
+fn choose(n: usize, k: usize, binomials: &[f64], order: usize) -> f64 {
+    binomials[(n - k) * order + k].abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::influence::DenseInfluence;
+    use super::super::panel::{Boundary, initial_panels};
+    use super::super::rule::{Order, Rules};
+    use super::*;
+    use crate::plane::Polygon;
+    use std::sync::Arc;
+
+    #[test]
+    fn agrees_with_every_entry_stored() {
+        let star: Vec<Complex64> = (0..120)
+            .map(|k| {
+                Complex64::from_polar(if k % 2 == 0 { 1.0 } else { 0.8 }, f64::from(k) * std::f64::consts::TAU / 120.0)
+            })
+            .collect();
+        let boundary = Arc::new(Boundary::new(&Polygon::new(&star).unwrap()));
+        let mut rules = Rules::new(Order::new(4, 10.0));
+        let panels = initial_panels(&boundary, 1.0);
+        let discretisation = Discretisation::new(boundary, panels, &mut rules);
+        let masses: Vec<f64> = (0..discretisation.unknowns()).map(|j| ((j * 37) % 11) as f64 / 2000.0).collect();
+        for targets in [discretisation.collocation_points(), discretisation.check_points()] {
+            let dense = DenseInfluence::new(&discretisation, &targets, &mut |_, _| true).unwrap();
+            let mut exact = vec![0.0; targets.len()];
+            dense.apply(&masses, &mut exact);
+            for digits in [4.0, 8.0, 11.0] {
+                let fast = FastInfluence::new(&discretisation, &targets, digits, &mut |_, _| true).unwrap();
+                assert!(fast.interactions.far.len() > 100);
+                let mut potentials = vec![0.0; targets.len()];
+                fast.apply(&masses, &mut potentials);
+                let error = potentials.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(error < 10f64.powf(-digits) * 5.0, "{digits} digits: {error:e}");
+            }
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! Symm's linear system, ready to be solved for any center.
+
+use super::discretisation::{Discretisation, Target};
+use super::fast_multipole::FastInfluence;
+use super::gmres::gmres;
+use super::influence::{DenseInfluence, Influence};
+use super::lu::Lu;
+use super::solve::Progress;
+use super::two_level::TwoLevel;
+use crate::Result;
+use crate::plane::Complex64;
+use std::fmt;
+
+/// The matrix and its (approximate) inverse. Another center is one more right-hand side.
+pub struct System {
+    /// The panels.
+    pub discretisation: Discretisation,
+    targets: Vec<Target>,
+    checks: Vec<Target>,
+    equations: Box<dyn Influence>,
+    check_equations: Box<dyn Influence>,
+    inverse: Inverse,
+}
+
+enum Inverse {
+    /// A factorisation of the whole matrix.
+    Exact(Lu),
+    /// A preconditioner.
+    TwoLevel(TwoLevel),
+}
+
+/// What one center's right-hand side gave.
+#[derive(Clone, Debug)]
+pub struct SystemSolution {
+    /// Mass of harmonic measure at each node.
+    pub masses: Vec<f64>,
+    /// The constant, 0 but for errors.
+    pub c: f64,
+    /// Largest violation of the equation on each panel, at its check points.
+    pub residuals: Vec<f64>,
+}
+
+/// Up to so many unknowns a factorisation beats iterating (measured).
+const FACTOR_UP_TO: usize = 500;
+/// Up to so many, storing every entry beats expansions (measured).
+const DENSE_UP_TO: usize = 1700;
+/// Iterations after which something is wrong; 4 to 40 are usual.
+const MOST_ITERATIONS: usize = 200;
+
+impl System {
+    /// Assembles and factors what the size asks for.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    pub fn new(discretisation: Discretisation, progress: Progress) -> Result<Self> {
+        let targets = discretisation.collocation_points();
+        let checks = discretisation.check_points();
+        let n = discretisation.unknowns();
+        let digits = discretisation.order.digits;
+        let (equations, check_equations, inverse): (Box<dyn Influence>, Box<dyn Influence>, _) = if n <= DENSE_UP_TO {
+            let equations = DenseInfluence::new(&discretisation, &targets, progress)?;
+            let inverse = if n <= FACTOR_UP_TO {
+                Inverse::Exact(Lu::new(n + 1, equations.bordered()))
+            } else {
+                Inverse::TwoLevel(TwoLevel::new(&discretisation, progress)?)
+            };
+            let checks = DenseInfluence::new(&discretisation, &checks, progress)?;
+            (Box::new(equations), Box::new(checks), inverse)
+        } else {
+            (
+                Box::new(FastInfluence::new(&discretisation, &targets, digits, progress)?),
+                Box::new(FastInfluence::new(&discretisation, &checks, digits, progress)?),
+                Inverse::TwoLevel(TwoLevel::new(&discretisation, progress)?),
+            )
+        };
+        Ok(Self { discretisation, targets, checks, equations, check_equations, inverse })
+    }
+
+    /// Solves for `center` (scaled units) until the equations hold to `tolerance` in the mean, from `guess` if there is one.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    pub fn solve(
+        &self,
+        center: Complex64,
+        tolerance: f64,
+        guess: Option<Vec<f64>>,
+        progress: Progress,
+    ) -> Result<SystemSolution> {
+        let n = self.discretisation.unknowns();
+        let mut rhs = self.discretisation.log_distances(&self.targets, center);
+        rhs.push(1.0);
+        let mut x = guess.unwrap_or_else(|| vec![0.0; n]);
+        x.push(0.0);
+        let apply = |x: &[f64], y: &mut [f64]| {
+            self.equations.apply(&x[..n], &mut y[..n]);
+            y[..n].iter_mut().for_each(|value| *value += x[n]);
+            y[n] = x[..n].iter().sum();
+        };
+        let precondition = |r: &[f64], z: &mut [f64]| match &self.inverse {
+            Inverse::Exact(lu) => {
+                z.copy_from_slice(r);
+                lu.solve(z);
+            }
+            Inverse::TwoLevel(two_level) => two_level.apply(r, z),
+        };
+        let norm_tolerance = tolerance.max(ROUNDING_PER_ENTRY) * (n as f64).sqrt();
+        gmres(apply, precondition, &rhs, &mut x, norm_tolerance, MOST_ITERATIONS, progress)?;
+        let c = x.pop().unwrap_or(f64::NAN);
+        let residuals = self.residuals(&x, c, center);
+        Ok(SystemSolution { masses: x, c, residuals })
+    }
+
+    fn residuals(&self, masses: &[f64], c: f64, center: Complex64) -> Vec<f64> {
+        let mut potentials = vec![0.0; self.checks.len()];
+        self.check_equations.apply(masses, &mut potentials);
+        let log_distances = self.discretisation.log_distances(&self.checks, center);
+        let misses: Vec<f64> = potentials.iter().zip(log_distances).map(|(u, log)| (u + c - log).abs()).collect();
+        let largest = |values: &[f64]| values.iter().fold(0.0, |a, b| if *b > a || b.is_nan() { *b } else { a });
+        misses.chunks_exact(self.checks.len() / self.discretisation.panels.len()).map(largest).collect()
+    }
+}
+
+/// No iteration gets an equation below this.
+const ROUNDING_PER_ENTRY: f64 = 1e-15;
+
+impl fmt::Debug for System {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("System").field("unknowns", &self.discretisation.unknowns()).finish_non_exhaustive()
+    }
+}
