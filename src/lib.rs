@@ -11,7 +11,8 @@
 //! retina, cortex ─► RetinoCorticalMap ┴─► JointTriangulation (affine) ────┘
 //! ```
 //! A new image never re-solves a map; a moved camera never rebuilds a mesh; a warp never knows where its map came from.
-//! Each module uses only those above it in this list: [`error`], [`plane`], [`symm`], [`map`], [`mesh`], [`warp`], `wasm`.
+//! Each module uses only those above it in this list: [`error`], [`plane`], [`symm`], [`map`], [`mesh`], [`warp`],
+//! [`presets`], `wasm`.
 //!
 //! # Conventions
 //! - The plane has y up and counter-clockwise angles. [`plane::Frame`] alone knows pixels: square pixels, centres at
@@ -27,6 +28,7 @@ pub mod error;
 pub mod map;
 pub mod mesh;
 pub mod plane;
+pub mod presets;
 pub mod symm;
 pub mod warp;
 #[cfg(target_arch = "wasm32")]

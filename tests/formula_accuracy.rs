@@ -2,6 +2,7 @@
 
 use conformal_warp::map::{FormulaMap, Jet, PlaneMap};
 use conformal_warp::plane::Complex64;
+use conformal_warp::presets::PRESETS;
 use serde::Deserialize;
 
 #[derive(Deserialize)]
@@ -79,5 +80,17 @@ fn formulas_agree_with_mpmath() {
             assert!((jet.dzbar - dzbar).norm() < size, "∂({name})/∂z̄ at {z}: {} is not {dzbar}", jet.dzbar);
             assert!(!map.is_analytic() || jet.dzbar == Complex64::ZERO);
         }
+    }
+}
+
+#[test]
+fn every_preset_agrees_with_mpmath() {
+    let tables = tables(include_str!("fixtures/formula/presets.json"));
+    for preset in &PRESETS {
+        let table = tables.iter().find(|table| table.name == preset.name);
+        let rows = &table.unwrap_or_else(|| panic!("{} has no table", preset.name)).rows;
+        let [(value_error, at), (slope_error, slope_at)] = worst(&preset.map().expect("presets compile"), rows);
+        assert!(value_error < 2e-15, "{} at {at} is wrong by {value_error:e}", preset.name);
+        assert!(slope_error < 4e-15, "{}' at {slope_at} is wrong by {slope_error:e}", preset.name);
     }
 }

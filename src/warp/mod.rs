@@ -11,6 +11,8 @@ mod light;
 mod mesh;
 mod options;
 mod outline;
+mod overlay;
+mod palette;
 mod pyramid;
 mod raster;
 mod render;
@@ -21,6 +23,7 @@ mod texture;
 pub use light::Light;
 pub use mesh::TriangleMesh;
 pub use options::{Direction, Quality, WarpOptions};
+pub use overlay::{Overlay, Stroke};
 pub use texture::{Texture, Wrap};
 
 use crate::Result;
