@@ -4,7 +4,9 @@
 
 use conformal_warp::wasm::formula::{FormulaMap, FormulaOptions};
 use conformal_warp::wasm::options::Point;
-use js_sys::Reflect;
+use conformal_warp::wasm::overlay::OverlayOptions;
+use conformal_warp::wasm::presets;
+use js_sys::{Array, Reflect, Uint8ClampedArray};
 use tsify::Ts;
 use wasm_bindgen::JsValue;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -37,7 +39,7 @@ fn parameters_are_named_and_can_change() {
     assert_eq!(map.eval(&[1.0, 0.0]).unwrap(), [0.0, 1.0]);
     map.set_param("t", Ts::<Point>::new_unchecked(eval("[2, 0]"))).unwrap();
     assert_eq!(map.eval(&[1.0, 0.0]).unwrap(), [2.0, 0.0]);
-    let t = js_sys::Array::from(&property(&map.params().unwrap(), "t"));
+    let t = Array::from(&property(&map.params().unwrap(), "t"));
     assert_eq!((t.get(0).as_f64(), t.get(1).as_f64()), (Some(2.0), Some(0.0)));
 
     let mut set = |name: &str, value: &str| {
@@ -56,4 +58,45 @@ fn a_syntax_error_has_its_position_in_javascript_units() {
     let thrown = formula("π + )", "{}").unwrap_err();
     assert_eq!((property(&thrown, "code"), property(&thrown, "position")), ("syntax".into(), 4.into()));
     assert!(property(&thrown, "message").as_string().unwrap().contains("expected"));
+}
+
+fn overlay(map: &FormulaMap, options: &str) -> Result<Uint8ClampedArray, JsValue> {
+    map.overlay(Ts::<OverlayOptions>::new_unchecked(eval(options))).map_err(JsValue::from)
+}
+
+#[wasm_bindgen_test]
+fn overlays_are_new_pixels_or_go_over_given_ones() {
+    let map = FormulaMap::new("z^2", None).unwrap();
+    let view = "view: { center: [0, 0], width: 4, pixels: [32, 32] }";
+    for kind in ["cartesian", "polar", "circle", "stretch", "argument"] {
+        let rgba = overlay(&map, &format!("{{ kind: '{kind}', {view} }}")).unwrap().to_vec();
+        assert_eq!(rgba.len(), 4 * 32 * 32);
+        assert!(rgba.as_chunks::<4>().0.iter().any(|pixel| pixel[3] > 100), "{kind} draws nothing");
+    }
+    let band =
+        format!("{{ kind: 'stretch', opacity: 0, {view}, rows: [3, 5], out: new Uint8ClampedArray(256).fill(9) }}");
+    assert_eq!(overlay(&map, &band).unwrap().to_vec(), [9; 256]);
+    let code = |options: &str| property(&overlay(&map, options).unwrap_err(), "code");
+    assert_eq!(code(&format!("{{ kind: 'contour', {view} }}")), "invalid-option");
+    assert_eq!(code(&format!("{{ kind: 'polar', spokes: 0, {view} }}")), "invalid-option");
+    assert_eq!(code(&format!("{{ kind: 'polar', {view}, rows: [0, 1000000000] }}")), "invalid-rows");
+}
+
+#[wasm_bindgen_test]
+fn every_preset_can_be_made_into_a_map() {
+    let all = Array::from(&presets::all().unwrap().js_value());
+    assert!(all.length() >= 12);
+    for preset in all {
+        let [formula, params] = ["formula", "params"].map(|name| property(&preset, name));
+        let options = js_sys::Object::new();
+        Reflect::set(&options, &"params".into(), &params).unwrap();
+        let options = Ts::<FormulaOptions>::new_unchecked(options.into());
+        assert!(FormulaMap::new(&formula.as_string().unwrap(), Some(options)).is_ok());
+        if property(&preset, "name") == "droste" {
+            assert_eq!(Array::from(&property(&params, "n")).get(0), 3);
+        }
+        let direction = property(&preset, "direction").as_string().unwrap();
+        assert!(["pull-back", "push-forward"].contains(&direction.as_str()), "{direction}");
+        assert!(property(&property(&preset, "view"), "width").as_f64().unwrap() > 0.0);
+    }
 }

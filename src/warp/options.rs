@@ -6,7 +6,11 @@ use std::ops::Range;
 
 /// Which way a map is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "kebab-case"))]
+#[cfg_attr(
+    target_arch = "wasm32",
+    derive(serde::Deserialize, serde::Serialize, tsify::Tsify),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Direction {
     /// The view's point p shows the texture at f(p).
     #[default]

@@ -6,7 +6,11 @@ use crate::{Error, Result};
 
 /// What lies beyond the edges of a texture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
+#[cfg_attr(
+    target_arch = "wasm32",
+    derive(serde::Deserialize, serde::Serialize, tsify::Tsify),
+    serde(rename_all = "lowercase")
+)]
 pub enum Wrap {
     /// Nothing.
     #[default]

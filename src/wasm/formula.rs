@@ -2,9 +2,10 @@
 
 use super::error::Failure;
 use super::options::{self, Point};
+use super::overlay::{self, OverlayOptions};
 use super::points;
 use crate::map;
-use js_sys::Object;
+use js_sys::{Object, Uint8ClampedArray};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use tsify::{Ts, Tsify};
@@ -60,6 +61,14 @@ impl FormulaMap {
     #[wasm_bindgen(js_name = setParam)]
     pub fn set_param(&mut self, name: &str, value: Ts<Point>) -> Result<(), Failure> {
         Ok(self.0.set_param(name, options::read_point("value", &value)?)?)
+    }
+
+    /// A drawing that explains the map, to be laid over its picture: grids pulled back, stretch, argument. RGBA bytes with
+    /// straight alpha; `out`, drawn over, if it was given.
+    ///
+    /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
+    pub fn overlay(&self, options: Ts<OverlayOptions>) -> Result<Uint8ClampedArray, Failure> {
+        overlay::draw(&self.0, &options)
     }
 
     /// The parameters and their present values.
