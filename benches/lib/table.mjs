@@ -23,18 +23,21 @@ export const ms = (/** @type {number} */ x) => (x >= 1000 ? `${(x / 1000).toFixe
 export const ratio = (/** @type {number} */ x) => `${x.toFixed(2)}×`;
 export const scientific = (/** @type {number} */ x) => x.toExponential(1);
 
-/**
- * @param {string} title
- * @param {string[]} columns
- * @param {(string | number | Target)[][]} rows
- */
-export function printTable(title, columns, rows) {
-  const cells = [columns, ...rows.map((row) => row.map(String))];
-  const widths = columns.map((_, k) => Math.max(...cells.map((row) => [...(row[k] ?? "")].length)));
-  const line = (/** @type {string[]} */ row) =>
-    `| ${widths.map((width, k) => (row[k] ?? "").padEnd(width)).join(" | ")} |`;
-  console.log(`\n## ${title}\n`);
-  console.log(line(columns));
-  console.log(`|${widths.map((width) => "-".repeat(width + 2)).join("|")}|`);
-  for (const row of cells.slice(1)) console.log(line(row));
+/** A table whose rows are printed as they come. */
+export class Table {
+  /**
+   * @param {string} title
+   * @param {Record<string, number>} columns each with its width
+   */
+  constructor(title, columns) {
+    this.widths = Object.entries(columns).map(([name, width]) => Math.max(width, name.length));
+    console.log(`\n## ${title}\n`);
+    this.row(...Object.keys(columns));
+    console.log(`|${this.widths.map((width) => "-".repeat(width + 2)).join("|")}|`);
+  }
+
+  /** @param {...(string | number | Target)} cells */
+  row(...cells) {
+    console.log(`| ${this.widths.map((width, k) => String(cells[k] ?? "").padEnd(width)).join(" | ")} |`);
+  }
 }
