@@ -41,6 +41,18 @@ export default async function bench() {
   const columns = { case: 21, vertices: 8, tolerance: 9, "error at vertices": 21, reference: 15, estimate: 8, unknowns: 8 };
   const table = new Table("Solve: region → Riemann map", { ...columns, time: 22 });
   for (const row of rows) table.row(...measure(row));
+  newCenter();
+}
+
+/** Another center on a solved blob100. */
+function newCenter() {
+  const table = new Table("Another center on a solved region", { case: 21, tolerance: 9, estimate: 8, time: 22 });
+  const given = fixture("blob100");
+  const map = RiemannMap.solve(regionOf(given), { tolerance: 1e-7 });
+  const moved = { center: /** @type {[number, number]} */ ([0.2, -0.1]), toward: given.toward };
+  const { errorEstimate } = map.withCenter(moved);
+  const time = milliseconds(() => map.withCenter(moved).free());
+  table.row("blob100", scientific(1e-7), scientific(errorEstimate), new Target(time, 5, ms));
 }
 
 /** @param {Row} row */

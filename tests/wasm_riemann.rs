@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use conformal_warp::wasm::region::{Region, RegionOptions};
-use conformal_warp::wasm::riemann::{RiemannMap, RiemannOptions};
+use conformal_warp::wasm::riemann::{CenterOptions, RiemannMap, RiemannOptions};
 use js_sys::Reflect;
 use std::f64::consts::FRAC_PI_2;
 use tsify::Ts;
@@ -41,6 +41,15 @@ fn the_square_is_mapped_with_its_evidence() {
     let images = map.to_disk(&[0.0, 0.0, -1.0, -1.0, 5.0, 5.0]).unwrap();
     assert!(images[..2].iter().all(|x| x.abs() < 1e-12) && (images[2] - 1.0).abs() < 1e-12, "{images:?}");
     assert!(images[4].is_nan() && images[5].is_nan());
+}
+
+#[wasm_bindgen_test]
+fn another_center_needs_no_new_solve() {
+    let map = solve(&object("tolerance: 1e-10")).unwrap();
+    let moved = |fields| map.with_center(Ts::<CenterOptions>::new_unchecked(object(fields))).map_err(JsValue::from);
+    let images = moved("center: [0.25, 0.5], toward: [1, 1]").unwrap().to_disk(&[0.25, 0.5, 1.0, 1.0]).unwrap();
+    assert!(images.iter().zip([0.0, 0.0, 1.0, 0.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{images:?}");
+    assert_eq!(property(&moved("center: [2, 0], toward: [1, 1]").unwrap_err(), "code"), "center-outside");
 }
 
 #[wasm_bindgen_test]

@@ -1,7 +1,7 @@
 //! `RiemannMap` in JavaScript.
 
 use super::error::Failure;
-use super::options;
+use super::options::{self, Point};
 use super::points;
 use super::progress::Progress;
 use super::region::Region;
@@ -28,6 +28,20 @@ pub struct RiemannOptions {
     pub on_progress: Option<Function>,
 }
 
+/// Another center for a region that was already solved.
+#[derive(Debug, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct CenterOptions {
+    /// The point strictly inside that goes to 0.
+    pub center: Point,
+    /// The boundary point that goes to 1; snapped to the nearest point of the boundary.
+    pub toward: Point,
+    /// As in `solve`.
+    #[serde(default, deserialize_with = "options::object")]
+    #[tsify(optional, type = "(stage: string, fraction: number) => boolean | void")]
+    pub on_progress: Option<Function>,
+}
+
 /// The conformal map region → unit disk with `center` → 0 and `toward` → 1, by Symm's method.
 #[derive(Debug)]
 #[wasm_bindgen]
@@ -48,6 +62,18 @@ impl RiemannMap {
         let mut progress = Progress::new(given.on_progress);
         let solved =
             map::RiemannMap::solve(region.inner(), &options, &mut |stage, fraction| progress.report(stage, fraction));
+        progress.finish(solved).map(Self)
+    }
+
+    /// The map of the same boundary with another center and direction. What was solved for is used again.
+    ///
+    /// Throws as `new Region()` and `solve` do.
+    #[wasm_bindgen(js_name = withCenter)]
+    pub fn with_center(&self, options: Ts<CenterOptions>) -> Result<Self, Failure> {
+        let CenterOptions { center, toward, on_progress } = options::read(&options)?;
+        let mut progress = Progress::new(on_progress);
+        let solved =
+            self.0.with_center(center.into(), toward.into(), &mut |stage, fraction| progress.report(stage, fraction));
         progress.finish(solved).map(Self)
     }
 
