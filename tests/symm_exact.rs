@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{EXACT_CASES, angle_error, case, largest, points, polygon, solve};
+use common::{EXACT_CASES, angle_error, case, exact, largest, points, polygon, solve};
 use conformal_warp::plane::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -87,7 +87,7 @@ fn half_disk_as_polygon() {
 #[test]
 fn ellipse_as_polygon() {
     let (a, b) = (2.0, 1.0);
-    let radius = ellipse_conformal_radius(a, b);
+    let radius = exact::ellipse_conformal_radius(a, b);
     let errors = [64, 128].map(|n| {
         let vertices: Vec<_> =
             (0..n).map(|k| TAU * f64::from(k) / f64::from(n)).map(|t| c(a * t.cos(), b * t.sin())).collect();
@@ -101,13 +101,4 @@ fn ellipse_as_polygon() {
     assert!(errors[0] < 8e-3, "{errors:?}");
     let ratio = errors[0] / errors[1];
     assert!((3.6..4.4).contains(&ratio), "error should fall as edge²: {errors:?}");
-}
-
-/// 1/f'(0) of the ellipse: f'(0) = √k·2K/(π c), nome q = ((a−b)/(a+b))², c² = a² − b².
-fn ellipse_conformal_radius(a: f64, b: f64) -> f64 {
-    let q = ((a - b) / (a + b)).powi(2);
-    let theta3: f64 = 1.0 + 2.0 * (1..20).map(|n| q.powi(n * n)).sum::<f64>();
-    let theta2: f64 = 2.0 * (0..20).map(|n| q.powf((f64::from(n) + 0.5).powi(2))).sum::<f64>();
-    // √k = θ₂/θ₃ and 2K/π = θ₃².
-    (a * a - b * b).sqrt() / (theta2 * theta3)
 }

@@ -1,8 +1,10 @@
 //! What integration tests share: fixtures, exact maps, small helpers.
 #![allow(dead_code, missing_docs, clippy::unwrap_used)]
 
+pub mod exact;
+
 use conformal_warp::map::{RiemannMap, SolveOptions};
-use conformal_warp::plane::{Complex64, Curve, Region};
+use conformal_warp::plane::{BoundaryPoint, Complex64, Curve, Region};
 use std::f64::consts::TAU;
 
 /// A region from `tests/fixtures`; those built from the Schwarz–Christoffel integral carry their exact answers.
@@ -88,4 +90,37 @@ pub fn angle_error(a: f64, b: f64) -> f64 {
 
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
+}
+
+/// Points of the boundary: every vertex, and points of each edge that crowd towards its ends.
+pub fn boundary_points(region: &Region) -> Vec<BoundaryPoint> {
+    let shares = [0.0, 1e-6, 1e-4, 0.003, 0.01, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.62, 0.8, 0.93, 0.97, 0.995, 0.999];
+    let polygon = region.polygon();
+    let on_edge = |edge: usize| {
+        let (a, b) = polygon.edge(edge);
+        shares.map(|t| BoundaryPoint { edge, t, point: a + (b - a) * t })
+    };
+    (0..polygon.len()).flat_map(on_edge).collect()
+}
+
+/// Points of the region beside its boundary: a hundredth of an edge's piece away from it, where errors are largest.
+pub fn points_beside_boundary(region: &Region) -> Vec<Complex64> {
+    let polygon = region.polygon();
+    let beside = |p: BoundaryPoint| {
+        let (a, b) = polygon.edge(p.edge);
+        p.point + (b - a) * Complex64::i() * 0.01 * p.t.min(1.0 - p.t)
+    };
+    boundary_points(region).into_iter().filter(|p| p.t > 0.0).map(beside).filter(|z| region.contains(*z)).collect()
+}
+
+/// The largest difference of two maps of one region, on the boundary, beside it and inside.
+pub fn largest_difference(map: &RiemannMap, reference: &RiemannMap) -> f64 {
+    let region = reference.region();
+    let on_boundary =
+        boundary_points(region).into_iter().map(|p| angle_error(map.boundary_angle(p), reference.boundary_angle(p)));
+    let mut interior = points_beside_boundary(region);
+    let rays = region.boundary().iter().flat_map(|v| [0.2, 0.6].map(|t| region.center() + (v - region.center()) * t));
+    interior.extend(rays.filter(|z| region.contains(*z)));
+    let inside = map.to_disk(&interior).into_iter().zip(reference.to_disk(&interior)).map(|(a, b)| (a - b).norm());
+    largest(on_boundary.chain(inside))
 }

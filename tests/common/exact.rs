@@ -1,0 +1,44 @@
+//! Exact answers of conformal maps, from the theory of elliptic functions.
+
+use super::{complex, polygon};
+use conformal_warp::plane::{Complex64, Region};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// Vertices of [−a, a] × [−1, 1] from the lower left, counter-clockwise.
+pub fn rectangle(a: f64) -> Region {
+    let vertices = [[-a, -1.0], [a, -1.0], [a, 1.0], [-a, 1.0]].map(complex);
+    polygon(&vertices, Complex64::ZERO)
+}
+
+/// Harmonic measure of a short side of [−a, a] × [−1, 1] from its middle.
+///
+/// u = sn(K(z+i)/a) takes the rectangle to the half plane, its middle to i/√k; the right side becomes [1, 1/k], whose
+/// angle from there is atan(1/√k) − atan(√k). k' comes from the complementary nome e^(−πa/2), so no digit is lost.
+pub fn short_side_measure(a: f64) -> f64 {
+    let nome = (-FRAC_PI_2 * a).exp();
+    let (theta2, theta3) = thetas(nome);
+    let complement = (theta2 / theta3).powi(2);
+    let k = (1.0 - complement * complement).sqrt();
+    let one_minus_k = complement * complement / (1.0 + k);
+    (one_minus_k / (2.0 * k.sqrt())).atan() / PI
+}
+
+/// The regular n-gon with circumradius 1, and its conformal radius Γ(1−1/n)/(Γ(1+1/n)Γ(1−2/n)) from tables.
+pub fn regular(n: usize) -> Region {
+    let vertices: Vec<_> = (0..n).map(|k| Complex64::cis(TAU * k as f64 / n as f64)).collect();
+    polygon(&vertices, Complex64::ZERO)
+}
+
+/// 1/f'(0) of the ellipse with semi-axes a > b: f'(0) = √k·2K/(πc), nome q = ((a−b)/(a+b))², c² = a² − b².
+pub fn ellipse_conformal_radius(a: f64, b: f64) -> f64 {
+    // √k = θ₂/θ₃ and 2K/π = θ₃².
+    let (theta2, theta3) = thetas(((a - b) / (a + b)).powi(2));
+    (a * a - b * b).sqrt() / (theta2 * theta3)
+}
+
+/// θ₂(q) and θ₃(q).
+fn thetas(q: f64) -> (f64, f64) {
+    let theta2: f64 = 2.0 * (0..30).map(|n| q.powf((f64::from(n) + 0.5).powi(2))).sum::<f64>();
+    let theta3: f64 = 1.0 + 2.0 * (1..30).map(|n| q.powi(n * n)).sum::<f64>();
+    (theta2, theta3)
+}
