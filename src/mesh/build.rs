@@ -3,14 +3,39 @@
 use super::density::{Middles, first_spacing};
 use super::draft::Draft;
 use super::options::{Density, MeshOptions};
-use super::side::Side;
+use super::side::{Side, UnitDisk};
 use super::{JointTriangulation, scan};
 use crate::Result;
+use crate::map::RiemannMap;
 use crate::plane::Polygon;
 use std::f64::consts::PI;
 
 /// Samples keep this share of the spacing away from the boundary, where its own nodes are.
 const CLEARANCE: f64 = 0.4;
+
+impl JointTriangulation {
+    /// Region → disk: the nodes of the region and their images under its Riemann map.
+    ///
+    /// ```
+    /// use conformal_warp::map::{RiemannMap, SolveOptions};
+    /// use conformal_warp::mesh::{JointTriangulation, MeshOptions};
+    /// use conformal_warp::plane::{Complex64, Curve, Region};
+    /// let corners = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)];
+    /// let corners = corners.map(|(x, y)| Complex64::new(x, y));
+    /// let region = Region::new(&corners, Curve::Polygon, Complex64::new(0.6, 0.6), Complex64::new(2.0, 0.5))?;
+    /// let map = RiemannMap::solve(&region, &SolveOptions::default(), &mut |_, _| true)?;
+    /// let mesh = JointTriangulation::region_to_disk(&map, &MeshOptions::with_spacing(0.1))?;
+    /// assert_eq!(mesh.flipped(), 0);
+    /// mesh.validate()?;
+    /// # Ok::<(), conformal_warp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`crate::Error::InvalidOption`], and [`crate::Error::Crowded`] where double precision cannot keep nodes apart.
+    pub fn region_to_disk(map: &RiemannMap, options: &MeshOptions) -> Result<Self> {
+        between(map, &UnitDisk, options)
+    }
+}
 
 /// Source → target by the paper's method "with boundaries", for any two copies.
 pub(super) fn between(source: &dyn Side, target: &dyn Side, options: &MeshOptions) -> Result<JointTriangulation> {

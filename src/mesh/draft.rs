@@ -7,6 +7,10 @@ use super::side::{Outline, Side};
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64};
 
+/// Inner nodes keep this share of the outline's length away from it: a thousandth of a pixel in a large picture. Parts
+/// of a region that the other copy shrinks further than that are spanned by their boundary nodes.
+const SHALLOWEST: f64 = 1e-7;
+
 /// Nodes of both copies, the ring of those on the boundary, and the triangles over them.
 pub(super) struct Draft<'a> {
     pub(super) sides: [&'a dyn Side; 2],
@@ -49,12 +53,16 @@ impl<'a> Draft<'a> {
         self.add_pairs(&pairs)
     }
 
-    /// Adds inner nodes (source, target), except those that a map had no value for; returns how many.
+    /// Adds inner nodes (source, target); returns how many. Not those that a map had no value for, nor those so close
+    /// to an outline that the maps cannot say on which side of its nodes they are.
     pub(super) fn add_pairs(&mut self, pairs: &[(Complex64, Complex64)]) -> usize {
         let before = self.source.len();
-        for &(z, w) in pairs.iter().filter(|(z, w)| z.is_finite() && w.is_finite()) {
-            self.source.push(z);
-            self.target.push(w);
+        let [source, target] = &self.outlines;
+        for &(z, w) in pairs {
+            if source.depth(z) > SHALLOWEST * source.length() && target.depth(w) > SHALLOWEST * target.length() {
+                self.source.push(z);
+                self.target.push(w);
+            }
         }
         self.places.resize(self.source.len(), None);
         self.source.len() - before

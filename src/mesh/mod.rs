@@ -4,13 +4,14 @@
 //! by triangle. Each step is a file: [`MeshOptions`] say how densely, `scan` samples the interior, `ring` refines the
 //! boundary, `connect` makes triangles, `repair` refines until none is flipped, `validate` proves it.
 
-#![cfg_attr(not(test), expect(dead_code, reason = "called once the Riemann map is there"))]
-
 mod build;
 mod connect;
 mod density;
 mod draft;
+mod export;
 mod joint;
+#[expect(dead_code, reason = "the way back from the disk")]
+mod locate;
 mod options;
 mod quality;
 mod repair;

@@ -9,6 +9,8 @@ use std::collections::BTreeSet;
 
 /// Refinement halves edges, so that this many rounds reach details 2^-40 of the region's size.
 const MOST_ROUNDS: usize = 40;
+/// The bound on the refinement: this many times the nodes at the start, and a thousand.
+const MOST_GROWTH: usize = 2;
 
 impl Draft<'_> {
     /// Connects the nodes, then adds nodes until no triangle is flipped or degenerate.
@@ -25,7 +27,8 @@ impl Draft<'_> {
                 self.evidence.added = self.source.len() - start;
                 return Ok(());
             }
-            if self.refine(&bad) == 0 {
+            let too_many = self.source.len() > MOST_GROWTH * start + 1000;
+            if too_many || self.refine(&bad) == 0 {
                 break;
             }
             self.connect()?;

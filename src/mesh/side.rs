@@ -1,5 +1,6 @@
 //! One copy of a joint triangulation: its outline, and where the points of that outline lie on the circle.
 
+use crate::map::RiemannMap;
 use crate::plane::{BoundaryPoint, Complex64, Polygon};
 use std::f64::consts::TAU;
 
@@ -21,6 +22,36 @@ pub(crate) trait Side {
     fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64>;
     /// Disk → region; NaN outside the disk.
     fn to_region(&self, points: &[Complex64]) -> Vec<Complex64>;
+}
+
+impl Side for RiemannMap {
+    fn polygon(&self) -> Option<&Polygon> {
+        Some(self.region().polygon())
+    }
+
+    fn center(&self) -> Complex64 {
+        self.region().center()
+    }
+
+    fn toward(&self) -> BoundaryPoint {
+        self.region().toward()
+    }
+
+    fn angle(&self, point: BoundaryPoint) -> f64 {
+        self.boundary_angle(point)
+    }
+
+    fn at_angle(&self, angle: f64) -> BoundaryPoint {
+        self.boundary_point(angle)
+    }
+
+    fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
+        self.to_disk(points)
+    }
+
+    fn to_region(&self, points: &[Complex64]) -> Vec<Complex64> {
+        vec![Complex64::new(f64::NAN, f64::NAN); points.len()]
+    }
 }
 
 /// The unit disk as a copy: its own image.
@@ -133,6 +164,15 @@ impl<'a> Outline<'a> {
         let edge = self.starts.partition_point(|&start| start <= s).clamp(1, self.starts.len() - 1) - 1;
         let length = self.starts[edge + 1] - self.starts[edge];
         self.on_edge(edge, ((s - self.starts[edge]) / length).clamp(0.0, 1.0 - f64::EPSILON))
+    }
+
+    /// Distance from a point inside to the outline; negative outside, NaN for a point that is not finite.
+    pub(super) fn depth(&self, z: Complex64) -> f64 {
+        match self.polygon {
+            None => 1.0 - z.norm(),
+            Some(polygon) if polygon.contains(z) => (polygon.nearest(z).point - z).norm(),
+            Some(_) => -1.0,
+        }
     }
 
     fn along(&self, point: BoundaryPoint) -> f64 {

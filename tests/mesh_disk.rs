@@ -1,0 +1,65 @@
+//! Region → disk: joint triangulations of the fixtures' regions.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+use conformal_warp::map::{RiemannMap, SolveOptions};
+use conformal_warp::mesh::{JointTriangulation, MeshOptions};
+use conformal_warp::plane::{Complex64, Curve, Frame, Region};
+
+#[derive(serde::Deserialize)]
+struct Case {
+    vertices: Vec<[f64; 2]>,
+    center: [f64; 2],
+    toward: [f64; 2],
+}
+
+fn solved(name: &str) -> RiemannMap {
+    let path = format!("{}/tests/fixtures/{name}.json", env!("CARGO_MANIFEST_DIR"));
+    let case: Case = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    let point = |[x, y]: [f64; 2]| Complex64::new(x, y);
+    let vertices: Vec<_> = case.vertices.into_iter().map(point).collect();
+    let region = Region::new(&vertices, Curve::Polygon, point(case.center), point(case.toward)).unwrap();
+    let options = SolveOptions { tolerance: 1e-8, ..SolveOptions::default() };
+    RiemannMap::solve(&region, &options, &mut |_, _| true).unwrap()
+}
+
+fn spacing_of(map: &RiemannMap, across: f64) -> f64 {
+    map.region().polygon().area().sqrt() / across
+}
+
+#[test]
+fn meshes_onto_the_disk_are_valid() {
+    for name in ["sc_4_101", "sc_6_102", "sc_9_103", "sc_15_104", "sc_24_105", "spike", "blob100"] {
+        let map = solved(name);
+        let mesh =
+            JointTriangulation::region_to_disk(&map, &MeshOptions::with_spacing(spacing_of(&map, 16.0))).unwrap();
+        mesh.validate().unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(mesh.flipped(), 0, "{name}");
+        let images: Vec<_> = map.angles().iter().map(|&angle| Complex64::cis(angle)).collect();
+        for (k, vertex) in map.region().boundary().iter().enumerate() {
+            let node = mesh.source().iter().position(|z| z == vertex).unwrap();
+            assert!((mesh.target()[node] - images[k]).norm() < 2e-6, "{name}: vertex {k} is not where its angle says");
+        }
+    }
+}
+
+#[test]
+fn a_graded_mesh_keeps_its_bound() {
+    let map = solved("sc_9_103");
+    let frame = Frame::new(Complex64::ZERO, 2.0, [400, 400]).unwrap();
+    let mesh = JointTriangulation::region_to_disk(&map, &MeshOptions::quarter_pixel(frame)).unwrap();
+    mesh.validate().unwrap();
+    assert!(mesh.evidence().largest_error <= 0.25 * frame.pixel_size());
+    // Independent of the builder's own account: the map at other points of the triangles than it looked at.
+    let (mut points, mut affine) = (Vec::new(), Vec::new());
+    for t in mesh.triangles() {
+        let blend = |points: &[Complex64]| {
+            let [a, b, c] = t.map(|k| points[k as usize]);
+            0.55 * a + 0.25 * b + 0.2 * c
+        };
+        points.push(blend(mesh.source()));
+        affine.push(blend(mesh.target()));
+    }
+    let worst = map.to_disk(&points).iter().zip(&affine).map(|(w, v)| (w - v).norm()).fold(0.0, f64::max);
+    assert!(worst < 0.4 * frame.pixel_size(), "{} pixels", worst / frame.pixel_size());
+}
