@@ -7,6 +7,7 @@
 //! TriangleMesh ─► scan conversion ─► footprints ─► sampler (nearest … best) ─► RGBA
 //! ```
 
+mod joint;
 mod light;
 mod mesh;
 mod options;

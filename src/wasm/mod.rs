@@ -7,6 +7,7 @@
 
 pub mod error;
 pub mod formula;
+pub mod mesh;
 pub mod options;
 pub mod overlay;
 pub mod points;

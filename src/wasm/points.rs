@@ -17,6 +17,17 @@ pub fn from_flat(what: &'static str, flat: &[f64]) -> Result<Vec<Complex64>> {
     Ok(pairs.iter().map(|&[x, y]| Complex64::new(x, y)).collect())
 }
 
+/// Consecutive triples → triangles.
+///
+/// # Errors
+/// [`Error::WrongLength`] for a count that is not a multiple of 3, naming the array `what`.
+pub fn triples_from_flat(what: &'static str, flat: &[u32]) -> Result<Vec<[u32; 3]>> {
+    match flat.as_chunks::<3>() {
+        (triples, []) => Ok(triples.to_vec()),
+        _ => Err(Error::WrongLength { what, expected: "three times as many".to_string(), found: flat.len() }),
+    }
+}
+
 /// Complex numbers → consecutive pairs.
 #[must_use]
 pub fn to_flat(points: &[Complex64]) -> Vec<f64> {

@@ -1,0 +1,170 @@
+//! `JointTriangulation` in JavaScript.
+
+use super::error::Failure;
+use super::options::{self, FrameOptions};
+use super::points;
+use super::riemann::RiemannMap;
+use super::texture::Texture;
+use super::warp::{self, DrawOptions, PaintContext};
+use crate::mesh::{self, Density, MeshOptions, Route};
+use crate::warp::Direction;
+use js_sys::Uint8ClampedArray;
+use serde::{Deserialize, Serialize};
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// How densely the regions are sampled: either `spacing`, or `maxErrorPixels` and `frame`.
+#[derive(Debug, Default, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase", default)]
+#[tsify(rename = "MeshOptions")]
+pub struct SamplingOptions {
+    /// The paper's rectangular grid over the source, with this distance between samples in plane units.
+    #[tsify(optional)]
+    pub spacing: Option<f64>,
+    /// As few nodes as keep the affine pieces within this many pixels of the map itself; 0.25 by default.
+    #[tsify(optional)]
+    pub max_error_pixels: Option<f64>,
+    /// Whose pixels these are: the frame that the target will be drawn in.
+    #[tsify(optional)]
+    pub frame: Option<FrameOptions>,
+}
+
+impl TryFrom<SamplingOptions> for Density {
+    type Error = Failure;
+
+    fn try_from(given: SamplingOptions) -> Result<Self, Failure> {
+        match (given.spacing, given.frame, given.max_error_pixels) {
+            (Some(spacing), None, None) => Ok(Self::Spacing(spacing)),
+            (None, Some(frame), pixels) => {
+                Ok(Self::MaxError { pixels: pixels.unwrap_or(0.25), frame: frame.try_into()? })
+            }
+            _ => Err(Failure::option("spacing", "A mesh needs either spacing, or frame and maxErrorPixels.")),
+        }
+    }
+}
+
+impl SamplingOptions {
+    fn into_mesh_options(self) -> Result<MeshOptions, Failure> {
+        Ok(MeshOptions { density: self.try_into()?, route: Route::Exact })
+    }
+}
+
+/// The same triangles over two copies of the nodes, affine in each: source region → target region.
+#[derive(Debug)]
+#[wasm_bindgen]
+pub struct JointTriangulation(mesh::JointTriangulation);
+
+/// Mesh pictures show the source's texture in the target.
+const USUAL: Direction = Direction::PushForward;
+
+#[wasm_bindgen]
+impl JointTriangulation {
+    /// Region → disk: the nodes of the region and their images under its Riemann map.
+    ///
+    /// Throws "invalid-option", or "crowded" where double precision cannot keep nodes apart.
+    #[wasm_bindgen(js_name = regionToDisk)]
+    pub fn region_to_disk(map: &RiemannMap, options: Ts<SamplingOptions>) -> Result<Self, Failure> {
+        let options = options::read(&options)?.into_mesh_options()?;
+        Ok(Self(mesh::JointTriangulation::region_to_disk(map.inner(), &options)?))
+    }
+
+    /// A mesh from its arrays, as a worker receives them: `source`, `target` and `triangles` of another one.
+    ///
+    /// Throws "wrong-length" or "invalid-mesh".
+    #[wasm_bindgen(js_name = fromParts)]
+    pub fn from_parts(source: &[f64], target: &[f64], triangles: &[u32]) -> Result<Self, Failure> {
+        let [source, target] =
+            [points::from_flat("The source nodes", source)?, points::from_flat("The target nodes", target)?];
+        let triangles = points::triples_from_flat("The triangles", triangles)?;
+        Ok(Self(mesh::JointTriangulation::from_parts(source, target, triangles)?))
+    }
+
+    /// The nodes in the source region `[x0, y0, x1, y1, …]`.
+    #[wasm_bindgen(getter)]
+    pub fn source(&self) -> Vec<f64> {
+        points::to_flat(self.0.source())
+    }
+
+    /// The nodes in the target region `[x0, y0, x1, y1, …]`.
+    #[wasm_bindgen(getter)]
+    pub fn target(&self) -> Vec<f64> {
+        points::to_flat(self.0.target())
+    }
+
+    /// Three nodes each, counter-clockwise in both copies.
+    #[wasm_bindgen(getter)]
+    pub fn triangles(&self) -> Vec<u32> {
+        self.0.triangles().as_flattened().to_vec()
+    }
+
+    /// The nodes on the boundary, counter-clockwise.
+    #[wasm_bindgen(getter)]
+    pub fn outline(&self) -> Vec<u32> {
+        self.0.outline().to_vec()
+    }
+
+    /// Number of triangles that are flipped or degenerate in either copy: 0 unless something went wrong.
+    #[wasm_bindgen(getter)]
+    pub fn flipped(&self) -> usize {
+        self.0.flipped()
+    }
+
+    /// What the making of the mesh found out about it.
+    #[wasm_bindgen(getter)]
+    pub fn evidence(&self) -> Result<Ts<MeshEvidence>, Failure> {
+        let found = self.0.evidence();
+        options::write(&MeshEvidence {
+            flipped_at_first: found.flipped_at_first,
+            added: found.added,
+            moved: found.moved,
+            largest_error: found.largest_error,
+            largest_angle_error: self.0.largest_angle_error(),
+        })
+    }
+
+    /// Proves that both copies are triangulations of their outlines: every triangle counter-clockwise, no overlap, the
+    /// outlines complete, the areas equal.
+    ///
+    /// Throws "invalid-mesh" with the first thing that is wrong.
+    pub fn validate(&self) -> Result<(), Failure> {
+        Ok(self.0.validate()?)
+    }
+
+    /// Both copies side by side as an SVG document.
+    #[wasm_bindgen(js_name = toSVG)]
+    pub fn to_svg(&self) -> String {
+        self.0.to_svg()
+    }
+
+    /// The target copy as a Wavefront OBJ, with the source as texture coordinates in the given frame.
+    #[wasm_bindgen(js_name = toOBJ)]
+    pub fn to_obj(&self, texture: Ts<FrameOptions>) -> Result<String, Failure> {
+        Ok(self.0.to_obj(&options::read(&texture)?.try_into()?))
+    }
+
+    /// The texture as the mesh carries it, by default to the target: RGBA bytes with straight alpha.
+    pub fn warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
+        warp::warp(&self.0, USUAL, texture, &options)
+    }
+
+    /// [`warp`](JointTriangulation.warp) onto a canvas, whose pixel (0, 0) is the view's.
+    pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
+        warp::paint(&self.0, USUAL, context, texture, &options)
+    }
+}
+
+/// What the making of a joint triangulation found out about it.
+#[derive(Debug, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct MeshEvidence {
+    /// Triangles of the first connectivity that were flipped or degenerate in the target.
+    pub flipped_at_first: usize,
+    /// Nodes added to undo those flips.
+    pub added: usize,
+    /// Boundary nodes moved along an outline because the maps crowd them together beyond double precision.
+    pub moved: usize,
+    /// The largest distance between the map and its affine pieces, in plane units of the target.
+    pub largest_error: f64,
+    /// The largest change of an angle by an affine piece, in radians.
+    pub largest_angle_error: f64,
+}

@@ -1,0 +1,109 @@
+//! `JointTriangulation` as JavaScript sees it: made, proved, drawn, painted. Runs in Node.
+#![cfg(target_arch = "wasm32")]
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+use conformal_warp::wasm::mesh::{JointTriangulation, SamplingOptions};
+use conformal_warp::wasm::region::{Region, RegionOptions};
+use conformal_warp::wasm::riemann::RiemannMap;
+use conformal_warp::wasm::texture::Texture;
+use conformal_warp::wasm::warp::{DrawOptions, PaintContext};
+use js_sys::Reflect;
+use tsify::Ts;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const FRAMES: &str =
+    "texture: { center: [0, 0], width: 4, pixels: [2, 2] }, view: { center: [0, 0], width: 2, pixels: [64, 64] }";
+
+fn object(fields: &str) -> JsValue {
+    js_sys::eval(&format!("({{ {fields} }})")).unwrap()
+}
+
+fn property(value: &JsValue, name: &str) -> JsValue {
+    Reflect::get(value, &name.into()).unwrap()
+}
+
+fn square_map() -> RiemannMap {
+    let options = "boundary: new Float64Array([-1, -1, 1, -1, 1, 1, -1, 1]), center: [0, 0], toward: [1, 0]";
+    let region = Region::new(Ts::<RegionOptions>::new_unchecked(object(options))).unwrap();
+    RiemannMap::solve(&region, None).unwrap()
+}
+
+fn mesh(options: &str) -> Result<JointTriangulation, JsValue> {
+    JointTriangulation::region_to_disk(&square_map(), Ts::<SamplingOptions>::new_unchecked(object(options)))
+        .map_err(JsValue::from)
+}
+
+/// Red everywhere.
+fn red() -> Texture {
+    Texture::new(&[255, 0, 0, 255].repeat(4), 2, 2, None).unwrap()
+}
+
+#[wasm_bindgen_test]
+fn a_mesh_is_two_copies_of_its_nodes() {
+    for options in ["spacing: 0.2", "maxErrorPixels: 0.5, frame: { center: [0, 0], width: 2, pixels: [100, 100] }"] {
+        let mesh = mesh(options).unwrap();
+        let (source, target, triangles) = (mesh.source(), mesh.target(), mesh.triangles());
+        assert!(source.len() == target.len() && triangles.len() % 3 == 0 && triangles.len() > 30);
+        assert!(triangles.iter().all(|&node| (node as usize) < source.len() / 2));
+        assert!(target.chunks(2).all(|w| w[0].hypot(w[1]) < 1.0 + 1e-12));
+        assert_eq!(mesh.flipped(), 0);
+        mesh.validate().unwrap();
+        assert!(property(&mesh.evidence().unwrap().js_value(), "largestError").as_f64().unwrap() > 0.0);
+
+        let copy = JointTriangulation::from_parts(&source, &target, &triangles).unwrap();
+        assert_eq!(copy.triangles(), triangles);
+    }
+}
+
+#[wasm_bindgen_test]
+fn its_arrays_must_fit() {
+    let code = |source: &[f64], triangles: &[u32]| {
+        let failure = JointTriangulation::from_parts(source, &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0], triangles).unwrap_err();
+        property(&failure.into(), "code").as_string().unwrap()
+    };
+    assert_eq!(code(&[0.0; 5], &[0, 1, 2]), "wrong-length");
+    assert_eq!(code(&[0.0; 6], &[0, 1]), "wrong-length");
+    assert_eq!(code(&[0.0, 0.0, 0.0, 1.0, 1.0, 0.0], &[0, 1, 2]), "invalid-mesh");
+    assert_eq!(code(&[0.0, 0.0, 1.0, 0.0, 0.0, 1.0], &[0, 1, 3]), "invalid-mesh");
+}
+
+#[wasm_bindgen_test]
+fn one_kind_of_density_is_needed() {
+    for options in
+        ["", "maxErrorPixels: 1", "spacing: 0.1, frame: { center: [0, 0], width: 2, pixels: [9, 9] }", "spacing: -1"]
+    {
+        assert_eq!(property(&mesh(options).unwrap_err(), "code"), "invalid-option", "{options}");
+    }
+}
+
+/// Pushed forward unless told otherwise: the disk is covered, the corners of its square are not.
+#[wasm_bindgen_test]
+fn it_draws_the_source_in_the_target() {
+    let mesh = mesh("spacing: 0.1").unwrap();
+    let draw = |more: &str| {
+        let options = Ts::<DrawOptions>::new_unchecked(object(&format!("{FRAMES} {more}")));
+        mesh.warp(&red(), options).map_err(JsValue::from).unwrap().to_vec()
+    };
+    let pixels = draw("");
+    assert_eq!(pixels.len(), 4 * 64 * 64);
+    assert_eq!(pixels[..4], [0; 4]);
+    let middle = 4 * (32 * 64 + 32);
+    assert_eq!(pixels[middle..middle + 4], [255, 0, 0, 255]);
+    assert_eq!(draw(", rows: [16, 40]"), pixels[4 * 64 * 16..4 * 64 * 40]);
+    // Pulled back, the square is covered: its corner too.
+    assert_eq!(draw(", direction: 'pull-back'")[..4], [255, 0, 0, 255]);
+}
+
+#[wasm_bindgen_test]
+fn it_paints_on_a_context() {
+    let canvas = "globalThis.ImageData = class { constructor(data, width, height) { Object.assign(this, { data, width, height }) } };
+        ({ painted: [], putImageData(image, x, y) { this.painted.push([image.width, image.height, x, y, ...image.data.slice(0, 4)]) } })";
+    let context = js_sys::eval(canvas).unwrap();
+    let mesh = mesh("spacing: 0.1").unwrap();
+    let options = Ts::<DrawOptions>::new_unchecked(object(&format!("{FRAMES}, rows: [8, 24], direction: 'pull-back'")));
+    mesh.paint(context.unchecked_ref::<PaintContext>(), &red(), options).map_err(JsValue::from).unwrap();
+    let painted = js_sys::Array::from(&js_sys::Array::from(&property(&context, "painted")).get(0));
+    let numbers: Vec<_> = painted.iter().map(|x| x.as_f64().unwrap()).collect();
+    assert_eq!(numbers, [64.0, 16.0, 0.0, 8.0, 255.0, 0.0, 0.0, 255.0]);
+}
