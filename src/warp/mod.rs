@@ -4,18 +4,23 @@
 //! it only says which point of the texture each pixel shows and how large its footprint is there, and one set of
 //! samplers turns that into colours:
 //! ```text
-//! TriangleMesh ─► scan conversion ─► footprints ─► sampler (nearest … best) ─► RGBA
+//! PlaneMap ─► blocks, subdivided ─┐
+//! TriangleMesh ─► scan conversion ┴► footprints ─► sampler (nearest … best) ─► RGBA
 //! ```
 
 mod joint;
 mod light;
 mod mesh;
+mod node;
 mod options;
 mod outline;
 mod overlay;
 mod palette;
+mod patch;
+mod pull_back;
 mod pyramid;
 mod raster;
+mod refine;
 mod render;
 mod sampler;
 mod strip;
@@ -28,6 +33,7 @@ pub use overlay::{Overlay, Stroke};
 pub use texture::{Texture, Wrap};
 
 use crate::Result;
+use crate::map::PlaneMap;
 
 /// What can move a picture.
 pub trait Warp {
@@ -46,5 +52,14 @@ pub trait Warp {
         let mut out = vec![0; options.output_len()?];
         self.warp_into(texture, options, &mut out)?;
         Ok(out)
+    }
+}
+
+impl<M: PlaneMap + ?Sized> Warp for M {
+    fn warp_into(&self, texture: &Texture, options: &WarpOptions, out: &mut [u8]) -> Result<()> {
+        match options.direction {
+            Direction::PullBack => pull_back::pull_back(self, texture, options, out),
+            Direction::PushForward => todo!(),
+        }
     }
 }

@@ -64,6 +64,12 @@ impl TexelGrid {
         [x * self.scale[0], y * self.scale[1]]
     }
 
+    /// The texels that a step in the plane passes, across and down.
+    pub fn step(&self, dz: Complex64) -> [f64; 2] {
+        let pixel = self.frame.pixel_size();
+        [dz.re / pixel * self.scale[0], -dz.im / pixel * self.scale[1]]
+    }
+
     /// Texels per plane unit; the larger of the two directions.
     pub fn density(&self) -> f64 {
         self.scale[0].max(self.scale[1]) / self.frame.pixel_size()

@@ -39,7 +39,7 @@ pub struct Truth<'a> {
     pub samples: usize,
 }
 
-fn to_light(byte: u8, light: Light) -> f64 {
+pub fn to_light(byte: u8, light: Light) -> f64 {
     let share = f64::from(byte) / 255.0;
     match light {
         Light::Plain => share,
@@ -48,7 +48,7 @@ fn to_light(byte: u8, light: Light) -> f64 {
     }
 }
 
-fn to_byte(light_share: f64, light: Light) -> f64 {
+pub fn to_byte(light_share: f64, light: Light) -> f64 {
     255.0
         * match light {
             Light::Plain => light_share,
@@ -127,4 +127,39 @@ pub fn psnr(pixels: &[u8], truth: &[[f64; 4]], channel: usize, select: impl Fn(u
     }
     assert!(count > 0, "no pixel selected");
     10.0 * (255.0_f64.powi(2) * f64::from(count) / sum).log10()
+}
+
+/// A square JPEG of tests/fixtures.
+pub fn fixture_photo(name: &str) -> Picture {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures").join(name);
+    let mut decoder = jpeg_decoder::Decoder::new(std::fs::File::open(path).expect("the fixture"));
+    let rgb = decoder.decode().expect("a JPEG");
+    let size = usize::from(decoder.info().expect("decoded").width);
+    let pixels = rgb.as_chunks::<3>().0;
+    assert_eq!(pixels.len(), size * size, "square");
+    Picture::new(size, |column, row| pixels[size * row + column])
+}
+
+/// Gaussian noise, blurred by 2 texels and stretched to all bytes; the same every time.
+pub fn noise(size: usize) -> Vec<u8> {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut uniform = move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        ((state >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
+    };
+    let white: Vec<f64> =
+        (0..size * size).map(|_| (-2.0 * uniform().ln()).sqrt() * (std::f64::consts::TAU * uniform()).cos()).collect();
+    let blur = |from: &[f64], step: usize| -> Vec<f64> {
+        let tap = |at: usize, k: i64| {
+            let (place, rest) = (at / step % size, at - at / step % size * step);
+            let place = (place as i64 + k).rem_euclid(size as i64) as usize;
+            (-0.125 * (k * k) as f64).exp() * from[rest + place * step]
+        };
+        (0..from.len()).map(|at| (-8..=8).map(|k| tap(at, k)).sum()).collect()
+    };
+    let soft = blur(&blur(&white, 1), size);
+    let (low, high) = soft.iter().fold((f64::MAX, f64::MIN), |(low, high), &t| (low.min(t), high.max(t)));
+    soft.iter().map(|t| ((t - low) / (high - low) * 255.0).round() as u8).collect()
 }

@@ -1,0 +1,153 @@
+//! Pull-back: the output point p shows the texture at f(p), for any map f of the plane.
+
+use super::node::{Node, Pair, Scale};
+use super::options::WarpOptions;
+use super::patch::{Patch, log2};
+use super::refine::{Block, LARGEST, Piece, Sight};
+use super::render::{Footprints, TexelGrid, render};
+use super::strip::{self, Strip};
+use super::texture::{Texture, Wrap};
+use crate::Result;
+use crate::map::PlaneMap;
+
+// A strip is a row of blocks.
+const _: () = assert!(strip::ROWS == LARGEST);
+
+/// Draws the pull-back of the texture by the map.
+pub(super) fn pull_back<M: PlaneMap + ?Sized>(
+    map: &M,
+    texture: &Texture,
+    options: &WarpOptions,
+    out: &mut [u8],
+) -> Result<()> {
+    let scale = Scale::new(TexelGrid::new(options.texture, texture), &options.view);
+    let sight = Sight { map, view: options.view, scale };
+    let mut footprints = PullBack { sight, period: period(texture), partial: Vec::new() };
+    render(texture, options, &mut footprints, out)
+}
+
+/// After how many texels the texture comes back; infinite if it does not.
+fn period(texture: &Texture) -> Pair {
+    let factor = match texture.wrap() {
+        Wrap::Transparent | Wrap::Clamp => f64::INFINITY,
+        Wrap::Repeat => 1.0,
+        Wrap::Mirror => 2.0,
+    };
+    texture.size().map(|size| factor * size as f64)
+}
+
+struct PullBack<'a, M: ?Sized> {
+    sight: Sight<'a, M>,
+    period: Pair,
+    /// Pixels at the edge of the domain, with the share of them that is inside.
+    partial: Vec<(usize, f32)>,
+}
+
+impl<M: PlaneMap + ?Sized> Footprints for PullBack<'_, M> {
+    fn fill(&mut self, strip: &mut Strip) {
+        self.partial.clear();
+        let mut rough = Vec::new();
+        for piece in self.sight.pieces(strip.first_row / LARGEST * LARGEST) {
+            match piece {
+                Piece::Smooth(patch, block) => self.draw_patch(strip, &patch, &block),
+                Piece::Rough { block, ragged } => rough.push((block, ragged)),
+            }
+        }
+        self.draw_pixels(strip, &rough);
+    }
+
+    fn finish(&mut self, strip: &Strip, out: &mut [u8]) {
+        for &(pixel, share) in &self.partial {
+            let (row, column) = (pixel / strip.stride, pixel % strip.stride);
+            let alpha = &mut out[4 * (row * strip.width + column) + 3];
+            *alpha = (f32::from(*alpha) * share + 0.5) as u8;
+        }
+    }
+}
+
+/// Samples along each side of a pixel at the edge of the domain. None lies on the pixel's centre or sides, where the
+/// singular points of formulas like to be.
+const EDGE_SAMPLES: usize = 4;
+
+impl<M: PlaneMap + ?Sized> PullBack<'_, M> {
+    fn draw_patch(&self, strip: &mut Strip, patch: &Patch, block: &Block) {
+        let shift = self.shift(block.corner());
+        let count = block.side.min(strip.width - block.x);
+        for row in rows_of(block, strip) {
+            let y = (row - block.y) as f64 + 0.5;
+            patch.draw_row(strip, strip.start(row - strip.first_row) + block.x, count, y, shift);
+        }
+    }
+
+    /// Whole periods that bring a point of the texture near the origin.
+    fn shift(&self, at: Pair) -> Pair {
+        std::array::from_fn(|k| {
+            let period = self.period[k];
+            if period.is_finite() { period * (at[k] / period).floor() } else { 0.0 }
+        })
+    }
+
+    /// Evaluates each pixel of the blocks at its centre, or where that fails, at the best of the samples in it.
+    fn draw_pixels(&mut self, strip: &mut Strip, blocks: &[(Block, bool)]) {
+        let mut pixels = Vec::new();
+        for (block, ragged) in blocks {
+            for row in rows_of(block, strip) {
+                let columns = block.x..strip.width.min(block.x + block.side);
+                pixels.extend(columns.map(|column| (column, row, *ragged)));
+            }
+        }
+        let centres: Vec<_> = pixels.iter().map(|&(x, y, _)| (x as f64 + 0.5, y as f64 + 0.5)).collect();
+        let mut edge = Vec::new();
+        for (&(column, row, ragged), node) in pixels.iter().zip(self.sight.nodes(&centres)) {
+            if ragged || !node.is_regular() {
+                edge.push((column, row));
+            } else {
+                self.put(strip, column, row, &node);
+            }
+        }
+        self.draw_edge_pixels(strip, &edge);
+    }
+
+    fn draw_edge_pixels(&mut self, strip: &mut Strip, pixels: &[(usize, usize)]) {
+        const COUNT: usize = EDGE_SAMPLES * EDGE_SAMPLES;
+        let offset = |k: usize| (k as f64 + 0.5) / EDGE_SAMPLES as f64;
+        let samples_of = |&(x, y): &(usize, usize)| {
+            (0..COUNT).map(move |k| (x as f64 + offset(k % EDGE_SAMPLES), y as f64 + offset(k / EDGE_SAMPLES)))
+        };
+        let nodes = self.sight.nodes(&pixels.iter().flat_map(samples_of).collect::<Vec<_>>());
+        for (&(column, row), nodes) in pixels.iter().zip(nodes.chunks_exact(COUNT)) {
+            let inside = nodes.iter().filter(|node| node.is_defined()).count();
+            // The samples next to the centre first.
+            let order = [5, 6, 9, 10, 1, 2, 4, 7, 8, 11, 13, 14, 0, 3, 12, 15].map(|k| &nodes[k]);
+            let shown = order.into_iter().find(|n| n.is_regular()).or(order.into_iter().find(|n| n.is_defined()));
+            if let Some(node) = shown {
+                self.put(strip, column, row, node);
+                // One sample without a value is a point that the map leaves out, not an edge.
+                if inside + 1 < COUNT {
+                    let pixel = strip.start(row - strip.first_row) + column;
+                    self.partial.push((pixel, inside as f32 / COUNT as f32));
+                }
+            }
+        }
+    }
+
+    /// Writes one pixel of the strip.
+    fn put(&self, strip: &mut Strip, column: usize, row: usize, node: &Node) {
+        let pixel = strip.start(row - strip.first_row) + column;
+        let shift = self.shift(node.at);
+        strip.u[pixel] = (node.at[0] - shift[0]) as f32;
+        strip.v[pixel] = (node.at[1] - shift[1]) as f32;
+        if strip.has_levels() {
+            strip.level[pixel] = log2(node.stretch() as f32);
+        }
+        if strip.has_jacobian() {
+            let slopes = [node.dx[0], node.dx[1], node.dy[0], node.dy[1]];
+            strip.jacobian.iter_mut().zip(slopes).for_each(|(plane, slope)| plane[pixel] = slope as f32);
+        }
+    }
+}
+
+/// Rows of the view that block and strip share.
+fn rows_of(block: &Block, strip: &Strip) -> std::ops::Range<usize> {
+    block.y.max(strip.first_row)..(block.y + block.side).min(strip.first_row + strip.rows)
+}
