@@ -68,5 +68,11 @@ impl Jet {
 pub trait PlaneMap {
     /// Writes the jet of the map at `points[k]` to `jets[k]`; [`Jet::UNDEFINED`] outside the domain.
     /// The two slices have the same length.
+    /// The jet of a point depends on nothing but that point.
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]);
+
+    /// The inverse map, if it can be evaluated as readily as the map: a push-forward then is its pull-back.
+    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        None
+    }
 }

@@ -1,7 +1,7 @@
 //! Warping by a joint triangulation: the same triangles on two sets of points, affine on each.
 
 use super::outline::{Coverage, OutlineEdge, outline};
-use super::raster::{Corner, Triangle};
+use super::raster::{Corner, Overlap, Triangle};
 use super::render::{Footprints, TexelGrid, render};
 use super::strip::{self, Strip};
 use super::{Direction, Texture, Warp, WarpOptions};
@@ -60,7 +60,7 @@ impl Warp for TriangleMesh<'_> {
             }
             None => set_levels_from_triangles(&mut corners, self.triangles),
         }
-        let mut raster = MeshRaster::new(&corners, self.triangles, &options.view);
+        let mut raster = MeshRaster::new(&corners, self.triangles, &options.view, Overlap::Later);
         render(texture, options, &mut raster, out)
     }
 }
@@ -120,22 +120,23 @@ pub(super) fn largest_stretch([ux, vx, uy, vy]: [f64; 4]) -> f64 {
 }
 
 /// The triangles of a view, ready to be drawn strip by strip.
-struct MeshRaster<'a> {
+pub(super) struct MeshRaster<'a> {
     corners: &'a [Corner],
     triangles: Vec<[u32; 3]>,
     edges: Vec<OutlineEdge>,
     /// Triangles of each strip, in drawing order: those of strip s are `order[starts[s]..starts[s + 1]]`.
     order: Vec<u32>,
     starts: Vec<usize>,
+    overlap: Overlap,
     coverage: Option<Coverage>,
 }
 
 impl<'a> MeshRaster<'a> {
-    fn new(corners: &'a [Corner], triangles: &[[u32; 3]], view: &Frame) -> Self {
+    pub fn new(corners: &'a [Corner], triangles: &[[u32; 3]], view: &Frame, overlap: Overlap) -> Self {
         let triangles: Vec<_> = triangles.iter().filter_map(|&ends| oriented(corners, ends)).collect();
         let edges = outline(corners.len(), &triangles);
         let (order, starts) = sorted_into_strips(corners, &triangles, view.pixels()[1]);
-        Self { corners, triangles, edges, order, starts, coverage: None }
+        Self { corners, triangles, edges, order, starts, overlap, coverage: None }
     }
 }
 
@@ -180,7 +181,7 @@ impl Footprints for MeshRaster<'_> {
         for &index in &self.order[self.starts[at]..self.starts[at + 1]] {
             let corners = self.triangles[index as usize].map(|node| self.corners[node as usize]);
             if let Some(triangle) = Triangle::new(corners) {
-                triangle.draw(strip);
+                triangle.draw(strip, self.overlap);
             }
         }
         let mut coverage = Coverage::new(strip);

@@ -4,8 +4,9 @@
 //! it only says which point of the texture each pixel shows and how large its footprint is there, and one set of
 //! samplers turns that into colours:
 //! ```text
-//! PlaneMap ─► blocks, subdivided ─┐
-//! TriangleMesh ─► scan conversion ┴► footprints ─► sampler (nearest … best) ─► RGBA
+//! PlaneMap, pulled back ─► blocks, subdivided ─────────┐
+//! PlaneMap, pushed forward ─► mesh of the texture ─┐   ▼
+//! TriangleMesh ────────────────────────────────────┴► footprints ─► sampler (nearest … best) ─► RGBA
 //! ```
 
 mod joint;
@@ -18,11 +19,13 @@ mod overlay;
 mod palette;
 mod patch;
 mod pull_back;
+mod push_forward;
 mod pyramid;
 mod raster;
 mod refine;
 mod render;
 mod sampler;
+mod source_mesh;
 mod strip;
 mod texture;
 
@@ -59,7 +62,10 @@ impl<M: PlaneMap + ?Sized> Warp for M {
     fn warp_into(&self, texture: &Texture, options: &WarpOptions, out: &mut [u8]) -> Result<()> {
         match options.direction {
             Direction::PullBack => pull_back::pull_back(self, texture, options, out),
-            Direction::PushForward => todo!(),
+            Direction::PushForward => match self.inverse() {
+                Some(inverse) => pull_back::pull_back(&*inverse, texture, options, out),
+                None => push_forward::push_forward(self, texture, options, out),
+            },
         }
     }
 }

@@ -44,6 +44,11 @@ impl Patch {
         Self { side, of: [component(0), component(1)] }
     }
 
+    /// The texture's point at the top left corner.
+    pub fn corner(&self) -> Pair {
+        [self.of[0].top[0], self.of[1].top[0]]
+    }
+
     /// The patch at (x, y) pixels from its top left corner.
     pub fn node(&self, x: f64, y: f64) -> Node {
         let rows = [self.row(0, y), self.row(1, y)];

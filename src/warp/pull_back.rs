@@ -3,7 +3,7 @@
 use super::node::{Node, Pair, Scale};
 use super::options::WarpOptions;
 use super::patch::{Patch, log2};
-use super::refine::{Block, LARGEST, Piece, Sight};
+use super::refine::{LARGEST, Sight, Square};
 use super::render::{Footprints, TexelGrid, render};
 use super::strip::{self, Strip};
 use super::texture::{Texture, Wrap};
@@ -46,14 +46,13 @@ struct PullBack<'a, M: ?Sized> {
 impl<M: PlaneMap + ?Sized> Footprints for PullBack<'_, M> {
     fn fill(&mut self, strip: &mut Strip) {
         self.partial.clear();
-        let mut rough = Vec::new();
-        for piece in self.sight.pieces(strip.first_row / LARGEST * LARGEST) {
-            match piece {
-                Piece::Smooth(patch, block) => self.draw_patch(strip, &patch, &block),
-                Piece::Rough { block, ragged } => rough.push((block, ragged)),
-            }
+        let pieces = self.sight.pieces(strip.first_row / LARGEST * LARGEST);
+        for (square, patch) in &pieces.smooth {
+            self.draw_patch(strip, patch, square);
         }
-        self.draw_pixels(strip, &rough);
+        let mut edge = pixels_of(&pieces.ragged, strip);
+        edge.extend(self.draw_pixels(strip, &pixels_of(&pieces.rough, strip)));
+        self.draw_edge_pixels(strip, &edge);
     }
 
     fn finish(&mut self, strip: &Strip, out: &mut [u8]) {
@@ -70,12 +69,12 @@ impl<M: PlaneMap + ?Sized> Footprints for PullBack<'_, M> {
 const EDGE_SAMPLES: usize = 4;
 
 impl<M: PlaneMap + ?Sized> PullBack<'_, M> {
-    fn draw_patch(&self, strip: &mut Strip, patch: &Patch, block: &Block) {
-        let shift = self.shift(block.corner());
-        let count = block.side.min(strip.width - block.x);
-        for row in rows_of(block, strip) {
-            let y = (row - block.y) as f64 + 0.5;
-            patch.draw_row(strip, strip.start(row - strip.first_row) + block.x, count, y, shift);
+    fn draw_patch(&self, strip: &mut Strip, patch: &Patch, square: &Square) {
+        let shift = self.shift(patch.corner());
+        let count = square.side.min(strip.width - square.x);
+        for row in rows_of(square, strip) {
+            let y = (row - square.y) as f64 + 0.5;
+            patch.draw_row(strip, strip.start(row - strip.first_row) + square.x, count, y, shift);
         }
     }
 
@@ -87,27 +86,21 @@ impl<M: PlaneMap + ?Sized> PullBack<'_, M> {
         })
     }
 
-    /// Evaluates each pixel of the blocks at its centre, or where that fails, at the best of the samples in it.
-    fn draw_pixels(&mut self, strip: &mut Strip, blocks: &[(Block, bool)]) {
-        let mut pixels = Vec::new();
-        for (block, ragged) in blocks {
-            for row in rows_of(block, strip) {
-                let columns = block.x..strip.width.min(block.x + block.side);
-                pixels.extend(columns.map(|column| (column, row, *ragged)));
-            }
-        }
-        let centres: Vec<_> = pixels.iter().map(|&(x, y, _)| (x as f64 + 0.5, y as f64 + 0.5)).collect();
-        let mut edge = Vec::new();
-        for (&(column, row, ragged), node) in pixels.iter().zip(self.sight.nodes(&centres)) {
-            if ragged || !node.is_regular() {
-                edge.push((column, row));
-            } else {
+    /// Evaluates each pixel at its centre; returns those where that fails.
+    fn draw_pixels(&self, strip: &mut Strip, pixels: &[(usize, usize)]) -> Vec<(usize, usize)> {
+        let centres: Vec<_> = pixels.iter().map(|&(x, y)| (x as f64 + 0.5, y as f64 + 0.5)).collect();
+        let mut failed = Vec::new();
+        for (&(column, row), node) in pixels.iter().zip(self.sight.nodes(&centres)) {
+            if node.is_regular() {
                 self.put(strip, column, row, &node);
+            } else {
+                failed.push((column, row));
             }
         }
-        self.draw_edge_pixels(strip, &edge);
+        failed
     }
 
+    /// Takes many samples in each pixel: the best of them is what it shows, their share its alpha.
     fn draw_edge_pixels(&mut self, strip: &mut Strip, pixels: &[(usize, usize)]) {
         const COUNT: usize = EDGE_SAMPLES * EDGE_SAMPLES;
         let offset = |k: usize| (k as f64 + 0.5) / EDGE_SAMPLES as f64;
@@ -147,7 +140,18 @@ impl<M: PlaneMap + ?Sized> PullBack<'_, M> {
     }
 }
 
-/// Rows of the view that block and strip share.
-fn rows_of(block: &Block, strip: &Strip) -> std::ops::Range<usize> {
-    block.y.max(strip.first_row)..(block.y + block.side).min(strip.first_row + strip.rows)
+/// The pixels (column, row of the view) of squares, as far as they lie in the strip.
+fn pixels_of(squares: &[Square], strip: &Strip) -> Vec<(usize, usize)> {
+    let mut pixels = Vec::new();
+    for square in squares {
+        for row in rows_of(square, strip) {
+            pixels.extend((square.x..strip.width.min(square.x + square.side)).map(|column| (column, row)));
+        }
+    }
+    pixels
+}
+
+/// Rows of the view that square and strip share.
+fn rows_of(square: &Square, strip: &Strip) -> std::ops::Range<usize> {
+    square.y.max(strip.first_row)..(square.y + square.side).min(strip.first_row + strip.rows)
 }

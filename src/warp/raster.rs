@@ -13,6 +13,15 @@ pub(super) struct Corner {
     pub level: f64,
 }
 
+/// Which triangle is seen where several cover a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Overlap {
+    /// The one drawn last.
+    Later,
+    /// The one that shows the lowest point of the texture.
+    Lowest,
+}
+
 /// A quantity that varies linearly over the view: `value` at the first corner.
 #[derive(Clone, Copy)]
 struct Linear {
@@ -61,7 +70,7 @@ impl Triangle {
     /// Writes the pixels whose centre lies in the triangle; a centre on an edge belongs to the triangle on its right
     /// or, on a level edge, below it. Triangles that share an edge compute the same crossing for it, to the bit, so
     /// that each pixel inside a mesh is written exactly once.
-    pub fn draw(&self, strip: &mut Strip) {
+    pub fn draw(&self, strip: &mut Strip, overlap: Overlap) {
         let rows = self.rows(strip.first_row + strip.rows);
         for row in rows.start.max(strip.first_row)..rows.end {
             let y = row as f64 + 0.5;
@@ -72,9 +81,27 @@ impl Triangle {
                 (left, right) = (left.min(x), right.max(x));
             }
             let columns = centres_between(left, right, strip.width);
-            if !columns.is_empty() {
-                self.draw_span(strip, row, columns);
+            match overlap {
+                _ if columns.is_empty() => {}
+                Overlap::Later => self.draw_span(strip, row, columns),
+                Overlap::Lowest => self.draw_lowest(strip, row, columns),
             }
+        }
+    }
+
+    /// Draws the runs of the span where nothing lower in the texture is seen already.
+    fn draw_lowest(&self, strip: &mut Strip, row: usize, columns: std::ops::Range<usize>) {
+        let start = strip.start(row - strip.first_row);
+        let (y, x0) = (row as f64 + 0.5 - self.corners[0].y, 0.5 - self.corners[0].x);
+        let v = |column: usize| (self.v.value + (column as f64 + x0) * self.v.dx + y * self.v.dy) as f32;
+        let hidden = |strip: &Strip, k: usize| !strip.u[start + k].is_nan() && strip.v[start + k] >= v(k);
+        let mut first = columns.start;
+        while first < columns.end {
+            let end = (first..columns.end).find(|&k| hidden(strip, k)).unwrap_or(columns.end);
+            if end > first {
+                self.draw_span(strip, row, first..end);
+            }
+            first = (end..columns.end).find(|&k| !hidden(strip, k)).unwrap_or(columns.end);
         }
     }
 

@@ -12,39 +12,43 @@ use crate::plane::{Complex64, Frame};
 pub(super) const LARGEST: usize = 32;
 /// Side of the smallest ones.
 pub(super) const SMALLEST: usize = 4;
-/// The largest distance between patch and map, in texels or in diameters of the footprint, whichever is larger.
-const TOLERANCE: f64 = 1.0 / 32.0;
+/// The largest distance between patch and map where it is checked, in texels or in diameters of the footprint, whichever
+/// is larger: below 1/32, because the checks need not meet the worst point.
+const TOLERANCE: f64 = 1.0 / 48.0;
 /// The largest error of the patch's derivatives, likewise: a tenth of a mip level.
 const SLOPE_TOLERANCE: f64 = 1.0 / 16.0;
 
-/// A square of pixels with the nodes at its corners, the middles of its edges and its centre, row by row.
-#[derive(Clone)]
-pub(super) struct Block {
+/// A square of pixels of the view.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Square {
     /// Column of its left side.
     pub x: usize,
     /// Row of its top.
     pub y: usize,
     /// Pixels along each side.
     pub side: usize,
+}
+
+/// A square with the nodes at its corners, the middles of its edges and its centre, row by row.
+struct Block {
+    square: Square,
     nodes: [Node; 9],
 }
 
-/// What became of a block.
-pub(super) enum Piece {
-    /// The patch is the map.
-    Smooth(Patch, Block),
-    /// Evaluate each pixel; part of the block may lie outside the domain if `ragged`.
-    Rough { block: Block, ragged: bool },
+/// What became of a row of blocks.
+#[derive(Default)]
+pub(super) struct Pieces {
+    /// Squares over which a patch is the map.
+    pub smooth: Vec<(Square, Patch)>,
+    /// Squares whose pixels are to be evaluated one by one.
+    pub rough: Vec<Square>,
+    /// Such squares that reach over the edge of the domain.
+    pub ragged: Vec<Square>,
 }
 
 impl Block {
-    /// A point of the texture near the block's, to be taken off all of them.
-    pub fn corner(&self) -> Pair {
-        self.nodes[0].at
-    }
-
     fn patch(&self) -> Patch {
-        Patch::new([&self.nodes[0], &self.nodes[2], &self.nodes[6], &self.nodes[8]], self.side as f64)
+        Patch::new([&self.nodes[0], &self.nodes[2], &self.nodes[6], &self.nodes[8]], self.square.side as f64)
     }
 
     /// The patch, if it agrees with the map at all nodes.
@@ -53,7 +57,7 @@ impl Block {
             return None;
         }
         let patch = self.patch();
-        let half = 0.5 * self.side as f64;
+        let half = 0.5 * self.square.side as f64;
         let agrees = |k: usize| {
             let (x, y) = (half * (k % 3) as f64, half * (k / 3) as f64);
             close(&patch.node(x, y), &self.nodes[k])
@@ -92,22 +96,23 @@ impl<M: PlaneMap + ?Sized> Sight<'_, M> {
     }
 
     /// The pieces of the row of blocks whose top is row `y` of the view; nothing where the map has no values.
-    pub fn pieces(&self, y: usize) -> Vec<Piece> {
+    pub fn pieces(&self, y: usize) -> Pieces {
         let mut blocks = self.largest_blocks(y);
-        let mut pieces = Vec::with_capacity(blocks.len());
+        let mut pieces = Pieces::default();
         while !blocks.is_empty() {
-            let mut rough = Vec::new();
+            let mut unresolved = Vec::new();
             for block in blocks {
                 if let Some(patch) = block.smooth_patch() {
-                    pieces.push(Piece::Smooth(patch, block));
-                } else if block.side > SMALLEST {
-                    rough.push(block);
+                    pieces.smooth.push((block.square, patch));
+                } else if block.square.side > SMALLEST {
+                    unresolved.push(block);
+                } else if block.nodes.iter().all(Node::is_defined) {
+                    pieces.rough.push(block.square);
                 } else if !block.is_outside() {
-                    let ragged = !block.nodes.iter().all(Node::is_defined);
-                    pieces.push(Piece::Rough { block, ragged });
+                    pieces.ragged.push(block.square);
                 }
             }
-            blocks = self.quarters(&rough);
+            blocks = self.quarters(&unresolved);
         }
         pieces
     }
@@ -119,9 +124,7 @@ impl<M: PlaneMap + ?Sized> Sight<'_, M> {
         let point = |k: usize| ((half * (k % columns)) as f64, (y + half * (k / columns)) as f64);
         let lattice = self.nodes(&(0..3 * columns).map(point).collect::<Vec<_>>());
         let block = |k: usize| Block {
-            x: LARGEST * k,
-            y,
-            side: LARGEST,
+            square: Square { x: LARGEST * k, y, side: LARGEST },
             nodes: std::array::from_fn(|n| lattice[columns * (n / 3) + 2 * k + n % 3]),
         };
         (0..count).map(block).collect()
@@ -132,23 +135,23 @@ impl<M: PlaneMap + ?Sized> Sight<'_, M> {
         let [width, height] = self.view.pixels();
         let mut quarters = Vec::with_capacity(4 * blocks.len());
         for block in blocks {
-            let side = block.side / 2;
+            let side = block.square.side / 2;
             for quarter in 0..4 {
                 let (right, down) = (quarter % 2, quarter / 2);
-                let (x, y) = (block.x + right * side, block.y + down * side);
+                let (x, y) = (block.square.x + right * side, block.square.y + down * side);
                 if x < width && y < height {
                     // The corners are nodes of the whole block; the others are filled in below.
                     let nodes = std::array::from_fn(|n| block.nodes[3 * (down + n / 6) + right + n % 3 / 2]);
-                    quarters.push(Block { x, y, side, nodes });
+                    quarters.push(Block { square: Square { x, y, side }, nodes });
                 }
             }
         }
         const NEW: [usize; 5] = [1, 3, 4, 5, 7];
         let points: Vec<_> = quarters
             .iter()
-            .flat_map(|block| {
-                let half = 0.5 * block.side as f64;
-                NEW.map(|n| (block.x as f64 + half * (n % 3) as f64, block.y as f64 + half * (n / 3) as f64))
+            .flat_map(|Block { square, .. }| {
+                let half = 0.5 * square.side as f64;
+                NEW.map(|n| (square.x as f64 + half * (n % 3) as f64, square.y as f64 + half * (n / 3) as f64))
             })
             .collect();
         let nodes = self.nodes(&points);
