@@ -72,7 +72,7 @@ fn a_checkerboard_through_a_moebius_mesh_is_the_supersampled_truth() {
         let exact = truth.render(&setting.texture, &setting.view, |p| moebius(p, a));
         let mut last = 0.0;
         for (quality, bound) in
-            [(Quality::Nearest, 14.0), (Quality::Bilinear, 19.5), (Quality::Trilinear, 28.0), (Quality::Best, 35.0)]
+            [(Quality::Nearest, 14.0), (Quality::Bilinear, 19.5), (Quality::Trilinear, 28.0), (Quality::Best, 33.5)]
         {
             let pixels = mesh.warp(&texture, &options(quality, direction)).unwrap();
             let inside = inside_disk(&setting.view, 2.0);

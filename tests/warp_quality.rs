@@ -48,7 +48,7 @@ fn hard_picture() -> Picture {
 
 /// Every fifth pixel, spread evenly: the same figures to a tenth of a decibel, in a fifth of the time.
 fn is_compared(pixel: usize) -> bool {
-    (pixel % SIDE + 2 * (pixel / SIDE)) % 5 == 0
+    (pixel % SIDE + 2 * (pixel / SIDE)).is_multiple_of(5)
 }
 
 /// A texel's channels in plain light, then in linear light.

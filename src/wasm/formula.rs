@@ -4,7 +4,10 @@ use super::error::Failure;
 use super::options::{self, Point};
 use super::overlay::{self, OverlayOptions};
 use super::points;
+use super::texture::Texture;
+use super::warp::{self, DrawOptions, PaintContext};
 use crate::map;
+use crate::warp::Direction;
 use js_sys::{Object, Uint8ClampedArray};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -69,6 +72,21 @@ impl FormulaMap {
     /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
     pub fn overlay(&self, options: Ts<OverlayOptions>) -> Result<Uint8ClampedArray, Failure> {
         overlay::draw(&self.0, &options)
+    }
+
+    /// The texture as the formula shows it: RGBA bytes with straight alpha; `out`, filled, if it was given. A formula
+    /// pulls back unless the options say "push-forward", which draws the image of the texture's frame.
+    ///
+    /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
+    pub fn warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
+        warp::warp(&self.0, Direction::PullBack, texture, &options)
+    }
+
+    /// `warp`, onto a canvas.
+    ///
+    /// Throws as `warp` does, and what the context throws.
+    pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
+        warp::paint(&self.0, Direction::PullBack, context, texture, &options)
     }
 
     /// The parameters and their present values.
