@@ -109,7 +109,7 @@ fn unary<const D: usize>(operation: Unary, a: &Lanes, target: &mut Lanes, slopes
                 // du = Re(w df), so ∂u/∂z = (w ∂f/∂z + conj(w ∂f/∂z̄)) / 2, and ∂u/∂z̄ is its conjugate.
                 slopes.fill(0, |k| {
                     let w = real.weight(a.row(0).at(k));
-                    0.5 * (w * a.row(1).at(k) + (w * a.row(2).at(k)).conj())
+                    0.5 * (times_differential(w, a.row(1).at(k)) + times_differential(w, a.row(2).at(k)).conj())
                 });
                 target.map(1, slopes.row(0), |slope| slope);
                 target.map(2, slopes.row(0), |slope| slope.conj());
@@ -131,7 +131,12 @@ fn apply<const D: usize>(
         target.set(0, k, value);
         slopes.set(0, k, slope);
     }
-    (1..=D).for_each(|d| target.map2(d, slopes.row(0), a.row(d), |slope, da| slope * da));
+    (1..=D).for_each(|d| target.map2(d, slopes.row(0), a.row(d), times_differential));
+}
+
+/// slope · da; what does not change stays so where the slope is infinite, as in asin(z/z).
+fn times_differential(slope: Complex64, da: Complex64) -> Complex64 {
+    if da == Complex64::ZERO { Complex64::ZERO } else { slope * da }
 }
 
 fn binary<const D: usize>(operation: Binary, a: Operand, b: Operand, target: &mut Lanes, slopes: &mut Lanes) {
@@ -215,7 +220,12 @@ fn power<const D: usize>(a: Operand, b: Operand, target: &mut Lanes, slopes: &mu
                 slopes.set(0, k, slope);
                 slopes.set(1, k, by_exponent);
             }
-            (1..=D).for_each(|d| target.products(d, [slopes.row(0), a.row(d), slopes.row(1), b.row(d)]));
+            for d in 1..=D {
+                let (by_base, da, by_exponent, db) = (slopes.row(0), a.row(d), slopes.row(1), b.row(d));
+                target.fill(d, |k| {
+                    times_differential(by_base.at(k), da.at(k)) + times_differential(by_exponent.at(k), db.at(k))
+                });
+            }
         }
         (Operand::Fixed(_), Operand::Fixed(_)) => {}
     }
