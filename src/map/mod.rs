@@ -1,12 +1,15 @@
 //! Maps of the plane, each with its derivative: what a warp pulls a picture back through.
 
 mod compose;
+pub mod cortex;
 mod formula;
+mod inverse;
 mod moebius;
 mod riemann;
 
 pub use compose::Compose;
 pub use formula::FormulaMap;
+pub use inverse::{Inverse, InvertibleMap};
 pub use moebius::Moebius;
 
 use crate::plane::Complex64;

@@ -1,6 +1,6 @@
 //! Möbius maps z → (az + b)/(cz + d).
 
-use super::{Jet, PlaneMap};
+use super::{InvertibleMap, Jet, PlaneMap};
 use crate::plane::Complex64;
 use crate::{Error, Result};
 
@@ -161,6 +161,12 @@ impl PlaneMap for Moebius {
             let value = self.apply(z);
             *jet = if value.is_finite() { Jet::analytic(value, self.derivative(z)) } else { Jet::UNDEFINED };
         }
+    }
+}
+
+impl InvertibleMap for Moebius {
+    fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
+        self.inverse().jets(points, jets);
     }
 }
 

@@ -1,0 +1,43 @@
+//! Maps that can be run backwards.
+
+use super::{Jet, PlaneMap};
+use crate::plane::Complex64;
+
+/// A map that knows its inverse as well.
+pub trait InvertibleMap: PlaneMap {
+    /// Writes the jet of the inverse map at `points[k]` to `jets[k]`; [`Jet::UNDEFINED`] outside the image.
+    fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]);
+
+    /// The inverse as a map.
+    fn inverted(self) -> Inverse<Self>
+    where
+        Self: Sized,
+    {
+        Inverse(self)
+    }
+}
+
+/// The inverse of a map.
+///
+/// ```
+/// use conformal_warp::map::{InvertibleMap, Jet, Moebius, PlaneMap};
+/// use conformal_warp::plane::Complex64;
+/// let from_disk = Moebius::cayley().inverted();
+/// let mut jet = [Jet::UNDEFINED];
+/// from_disk.jets(&[Complex64::ZERO], &mut jet);
+/// assert_eq!(jet[0].value, Complex64::I);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inverse<M>(pub M);
+
+impl<M: InvertibleMap> PlaneMap for Inverse<M> {
+    fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
+        self.0.inverse_jets(points, jets);
+    }
+}
+
+impl<M: InvertibleMap> InvertibleMap for Inverse<M> {
+    fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
+        self.0.jets(points, jets);
+    }
+}
