@@ -18,14 +18,15 @@ async function load() {
 }
 
 /**
- * A function that draws a picture through a map given by coordinates, bilinear, borders transparent.
+ * Draws a picture through a map given by coordinates, bilinear.
  *
  * @param {{ data: Uint8Array, width: number, height: number }} picture RGBA
  * @param {number} width of the output
  * @param {number} height
  * @param {Float32Array} coordinates x and y in the picture, for each output pixel
+ * @param {"BORDER_CONSTANT" | "BORDER_WRAP"} [border] transparent around the picture, or the picture again
  */
-export async function remapper(picture, width, height, coordinates) {
+export async function remapper(picture, width, height, coordinates, border = "BORDER_CONSTANT") {
   await load();
   const from = new cv.Mat(picture.height, picture.width, cv.CV_8UC4);
   from.data.set(picture.data);
@@ -33,7 +34,7 @@ export async function remapper(picture, width, height, coordinates) {
   map.data32F.set(coordinates);
   const [to, none, nothing] = [new cv.Mat(height, width, cv.CV_8UC4), new cv.Mat(), new cv.Scalar()];
   return {
-    draw: () => cv.remap(from, to, map, none, cv.INTER_LINEAR, cv.BORDER_CONSTANT, nothing),
+    draw: () => cv.remap(from, to, map, none, cv.INTER_LINEAR, cv[border], nothing),
     free: () => [from, to, map, none].forEach((mat) => mat.delete()),
   };
 }
