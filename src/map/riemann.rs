@@ -3,8 +3,7 @@
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64, Region};
 use crate::symm::correspondence::angle_of_measure;
-use crate::symm::potential::LogPotential;
-use crate::symm::solve::{Progress, Solution, SolveOptions, Stop, solve, solve_again};
+use crate::symm::solve::{Progress, Solution, SolveOptions, Stop, move_center, solve};
 use std::f64::consts::TAU;
 
 /// The conformal map region → unit disk with `center` ↦ 0 and `toward` ↦ 1.
@@ -27,7 +26,6 @@ pub struct RiemannMap {
     region: Region,
     options: SolveOptions,
     solution: Solution,
-    potential: LogPotential,
     /// Measure from vertex 0 to `toward`.
     toward_measure: f64,
     angles: Vec<f64>,
@@ -43,8 +41,9 @@ impl RiemannMap {
         Ok(Self::new(region.clone(), options, solve(region, options, progress)?))
     }
 
-    /// The map of the same region for another center and direction: another right-hand side of the system already solved.
-    /// Moving only `toward` is a rotation.
+    /// The map of the same region for another center and direction, from what was solved before: nothing is assembled or
+    /// factored, and moving only `toward` is a rotation. [`RiemannMap::error_estimate`] says how well the old panels serve
+    /// the new center; a center much nearer to the boundary deserves a solve of its own.
     ///
     /// # Errors
     /// As [`RiemannMap::solve`] and [`Region::new`].
@@ -53,15 +52,14 @@ impl RiemannMap {
         let solution = if center == self.region.center() {
             self.solution.clone()
         } else {
-            solve_again(&self.solution, center, &self.options, progress)?
+            move_center(&self.solution, center, &self.options, progress)?
         };
         Ok(Self::new(region, &self.options, solution))
     }
 
     fn new(region: Region, options: &SolveOptions, solution: Solution) -> Self {
-        let potential = LogPotential::new(solution.discretisation(), &solution.masses);
         let options = options.clone();
-        let mut map = Self { region, options, solution, potential, toward_measure: 0.0, angles: Vec::new() };
+        let mut map = Self { region, options, solution, toward_measure: 0.0, angles: Vec::new() };
         map.toward_measure = map.measure_at(map.region.toward());
         let measures = map.solution.correspondence.vertex_measures();
         map.angles = measures.iter().map(|measure| angle_of_measure(measure - map.toward_measure)).collect();
@@ -112,7 +110,8 @@ impl RiemannMap {
     #[must_use]
     pub fn conformal_radius(&self) -> f64 {
         let boundary = &self.solution.discretisation().boundary;
-        self.potential.at(self.solution.discretisation(), self.region.center() * boundary.unit).re.exp() / boundary.unit
+        self.solution.potential.at(self.solution.discretisation(), self.region.center() * boundary.unit).re.exp()
+            / boundary.unit
     }
 
     /// Largest violation of the boundary condition log|f| = 0 at points where it was not imposed.
@@ -171,7 +170,7 @@ impl RiemannMap {
         if let Some(w) = self.beside_corner(z * unit, nearest) {
             return turn * w;
         }
-        self.potential.map(discretisation, self.solution.center, z * unit) * turn
+        self.solution.potential.map(discretisation, self.solution.center, z * unit) * turn
     }
 
     /// f very near a corner, where the boundary correspondence continued analytically is more accurate than quadrature.

@@ -1,5 +1,6 @@
 //! The plane: complex points, frames (pixels ↔ plane), polygons and regions.
 
+mod edge_tree;
 mod frame;
 mod polygon;
 mod region;

@@ -1,6 +1,6 @@
 //! Simple polygons, counter-clockwise.
 
-use super::Complex64;
+use super::{Complex64, edge_tree::EdgeTree};
 use crate::{Error, Result};
 use robust::{Coord, orient2d};
 
@@ -12,6 +12,8 @@ pub struct Polygon {
     scaled: Vec<Complex64>,
     /// A power of two, so that scaling by it is exact.
     unit: f64,
+    /// Over the scaled edges.
+    tree: EdgeTree,
 }
 
 /// A point of the boundary: `vertices[edge] + t·(vertices[edge + 1] − vertices[edge])`, t in [0, 1).
@@ -58,7 +60,8 @@ impl Polygon {
             scaled[1..].reverse();
             kept[1..].reverse();
         }
-        Ok(Self { vertices: kept, scaled, unit })
+        let tree = EdgeTree::new(&scaled);
+        Ok(Self { vertices: kept, scaled, unit, tree })
     }
 
     /// The vertices, counter-clockwise.
@@ -105,68 +108,82 @@ impl Polygon {
     /// Whether `z` lies inside; points of the boundary count as inside. False for NaN.
     #[must_use]
     pub fn contains(&self, z: Complex64) -> bool {
-        self.side(z).is_some_and(|inside| inside)
+        matches!(self.side(z), Some(Side::Inside | Side::On))
     }
 
     /// Whether `z` lies inside and not on the boundary.
     #[must_use]
     pub fn contains_strictly(&self, z: Complex64) -> bool {
-        self.side(z) == Some(true) && !self.on_boundary(z * self.unit)
+        self.side(z) == Some(Side::Inside)
     }
 
     /// The point of the boundary nearest to `z`.
     #[must_use]
     pub fn nearest(&self, z: Complex64) -> BoundaryPoint {
         let z = z * self.unit;
-        let mut best = (f64::INFINITY, 0, 0.0, self.scaled[0]);
-        for k in 0..self.len() {
-            let (a, b) = (self.scaled[k], self.scaled[(k + 1) % self.len()]);
-            let t = (((z - a) * (b - a).conj()).re / (b - a).norm_sqr()).clamp(0.0, 1.0);
-            let point = a + (b - a) * t;
-            let distance = (z - point).norm_sqr();
-            if distance < best.0 {
-                best = (distance, k, t, point);
-            }
-        }
-        let (_, edge, t, point) = best;
+        let (_, edge) = self.tree.nearest(z, f64::INFINITY, |k| (z - self.foot(z, k).1).norm_sqr());
+        let edge = edge.unwrap_or(0);
+        let (t, foot) = self.foot(z, edge);
         if t == 1.0 {
             let edge = (edge + 1) % self.len();
             return BoundaryPoint { edge, t: 0.0, point: self.vertices[edge] };
         }
-        BoundaryPoint { edge, t, point: if t == 0.0 { self.vertices[edge] } else { point / self.unit } }
+        BoundaryPoint { edge, t, point: if t == 0.0 { self.vertices[edge] } else { foot / self.unit } }
     }
 
-    /// Inside (boundary included), outside, or `None` for a point that is not finite. Crossing number.
-    fn side(&self, z: Complex64) -> Option<bool> {
+    /// Distance from vertex `k` to the nearest edge that does not end there, or the shorter edge that does if that is less.
+    #[must_use]
+    pub fn clearance(&self, k: usize) -> f64 {
+        let n = self.len();
+        let (z, before) = (self.scaled[k], (k + n - 1) % n);
+        let adjacent = (self.scaled[(k + 1) % n] - z).norm_sqr().min((self.scaled[before] - z).norm_sqr());
+        let distance = |j: usize| {
+            if j == k || j == before { f64::INFINITY } else { (z - self.foot(z, j).1).norm_sqr() }
+        };
+        self.tree.nearest(z, adjacent, distance).0.sqrt() / self.unit
+    }
+
+    /// The point of edge `k` nearest to `z` (both scaled), and its share of the edge.
+    fn foot(&self, z: Complex64, k: usize) -> (f64, Complex64) {
+        let (a, b) = self.scaled_edge(k);
+        let t = (((z - a) * (b - a).conj()).re / (b - a).norm_sqr()).clamp(0.0, 1.0);
+        (t, a + (b - a) * t)
+    }
+
+    fn scaled_edge(&self, k: usize) -> (Complex64, Complex64) {
+        (self.scaled[k], self.scaled[(k + 1) % self.len()])
+    }
+
+    /// The side of the boundary that `z` is on, by the crossing number; `None` for a point that is not finite.
+    fn side(&self, z: Complex64) -> Option<Side> {
         let z = z * self.unit;
         if !z.is_finite() {
             return None;
         }
-        let mut inside = false;
-        let mut a = self.scaled[self.len() - 1];
-        for &b in &self.scaled {
-            if (a.im <= z.im) != (b.im <= z.im) {
-                let turn = orient2d(coord(a), coord(b), coord(z));
-                if turn == 0.0 {
-                    return Some(true);
-                }
-                if (turn > 0.0) == (b.im > a.im) {
-                    inside = !inside;
-                }
+        let (mut inside, mut on_boundary) = (false, false);
+        self.tree.for_each_on_ray(z, |k| {
+            let (a, b) = self.scaled_edge(k);
+            on_boundary |= lies_on(z, a, b);
+            if (a.im <= z.im) != (b.im <= z.im) && (orient2d(coord(a), coord(b), coord(z)) > 0.0) == (b.im > a.im) {
+                inside = !inside;
             }
-            a = b;
-        }
-        Some(inside || self.on_boundary(z))
-    }
-
-    fn on_boundary(&self, scaled: Complex64) -> bool {
-        let mut a = self.scaled[self.len() - 1];
-        self.scaled.iter().any(|&b| {
-            let hit = lies_on(scaled, a, b);
-            a = b;
-            hit
+        });
+        Some(if on_boundary {
+            Side::On
+        } else if inside {
+            Side::Inside
+        } else {
+            Side::Outside
         })
     }
+}
+
+/// Where a point lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    Inside,
+    On,
+    Outside,
 }
 
 fn coord(z: Complex64) -> Coord<f64> {

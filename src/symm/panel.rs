@@ -13,6 +13,8 @@ pub struct Boundary {
     pub lengths: Vec<f64>,
     /// Interior angle at each vertex, divided by π: in (0, 2).
     pub alpha: Vec<f64>,
+    /// Distance from each vertex to the rest of the boundary, or to the nearer neighbour.
+    pub clearances: Vec<f64>,
     /// Power of two: plane units × `unit` = units used here.
     pub unit: f64,
 }
@@ -29,7 +31,8 @@ impl Boundary {
         let directions: Vec<Complex64> = edges.iter().zip(&lengths).map(|(e, length)| e / length).collect();
         let turn = |k: usize| (directions[k] * directions[(k + n - 1) % n].conj()).arg();
         let alpha = (0..n).map(|k| 1.0 - turn(k) / std::f64::consts::PI).collect();
-        Self { vertices, directions, lengths, alpha, unit }
+        let clearances = (0..n).map(|k| polygon.clearance(k) * unit).collect();
+        Self { vertices, directions, lengths, alpha, clearances, unit }
     }
 
     /// Number of vertices.
@@ -59,19 +62,6 @@ impl Boundary {
         let alpha = self.alpha[k];
         let a = if alpha > 1.0 { alpha } else { alpha * (1.0 / alpha + 1e-9).floor() };
         if (a - 1.0).abs() < 1e-9 { 1.0 } else { a }
-    }
-
-    /// Distance from vertex `k` to the nearest edge that does not end there, or the shorter adjacent edge if that is less.
-    fn clearance(&self, k: usize) -> f64 {
-        let before = self.previous(k);
-        let adjacent = self.lengths[k].min(self.lengths[before]);
-        let z = self.vertices[k];
-        (0..self.len()).filter(|&j| j != k && j != before).map(|j| self.distance_to_edge(z, j)).fold(adjacent, f64::min)
-    }
-
-    fn distance_to_edge(&self, z: Complex64, j: usize) -> f64 {
-        let u = (z - self.vertices[j]) * self.directions[j].conj();
-        Complex64::new(u.re - u.re.clamp(0.0, self.lengths[j]), u.im).norm()
     }
 }
 
@@ -130,7 +120,6 @@ impl Panel {
 #[must_use]
 pub fn initial_panels(boundary: &Boundary, kappa: f64) -> Vec<Panel> {
     let n = boundary.len();
-    let corner_length: Vec<f64> = (0..n).map(|k| kappa * boundary.clearance(k)).collect();
     let mut panels = Vec::new();
     for edge in 0..n {
         let (from, to) = (edge, boundary.next(edge));
@@ -143,7 +132,7 @@ pub fn initial_panels(boundary: &Boundary, kappa: f64) -> Vec<Panel> {
                 direction,
                 outgoing,
                 start: 0.0,
-                end: corner_length[corner].min(middle),
+                end: (kappa * boundary.clearances[corner]).min(middle),
                 exponent: boundary.exponent(corner),
             };
             doubling_panels(first, middle)

@@ -3,25 +3,30 @@
 use super::discretisation::Discretisation;
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
+use std::sync::OnceLock;
 
-/// Node masses turned into what every quadrature needs, once.
+/// The potential of given node masses.
 #[derive(Clone, Debug)]
 pub struct LogPotential {
-    charges: Vec<Vec<f64>>,
+    /// Node masses, their sum 1.
     masses: Vec<f64>,
+    /// What every quadrature needs of them, panel by panel; made when first asked for.
+    charges: OnceLock<Vec<Vec<f64>>>,
 }
 
 impl LogPotential {
     /// From node masses; they are scaled to total mass 1.
     #[must_use]
-    pub fn new(discretisation: &Discretisation, masses: &[f64]) -> Self {
+    pub fn new(masses: &[f64]) -> Self {
         let total: f64 = masses.iter().sum();
-        let masses: Vec<f64> = masses.iter().map(|mass| mass / total).collect();
-        let p = discretisation.order.p();
-        let charges =
-            discretisation.rules.iter().zip(masses.chunks_exact(p)).map(|(rule, m)| rule.charges(m)).collect();
-        let masses = masses.chunks_exact(p).map(|m| m.iter().sum()).collect();
-        Self { charges, masses }
+        Self { masses: masses.iter().map(|mass| mass / total).collect(), charges: OnceLock::new() }
+    }
+
+    fn charges(&self, discretisation: &Discretisation) -> &[Vec<f64>] {
+        self.charges.get_or_init(|| {
+            let panels = self.masses.chunks_exact(discretisation.order.p());
+            discretisation.rules.iter().zip(panels).map(|(rule, masses)| rule.charges(masses)).collect()
+        })
     }
 
     /// The potential at `z` (scaled units), with arg(z − y) continuous along the boundary and principal at vertex 0:
@@ -29,16 +34,17 @@ impl LogPotential {
     /// arguments are continuous, and one multiple of 2π puts it on the branch.
     #[must_use]
     pub fn at(&self, discretisation: &Discretisation, z: Complex64) -> Complex64 {
+        let charges = self.charges(discretisation);
+        let p = discretisation.order.p();
         let arguments = unwrapped_arguments(&discretisation.boundary.vertices, z);
         let mut sum = Complex64::ZERO;
         for (q, panel) in discretisation.panels.iter().enumerate() {
             let local = discretisation.local_of(q, z);
-            let own =
-                discretisation.rules[q].potential(&discretisation.order, local, panel.length().ln(), &self.charges[q]);
+            let own = discretisation.rules[q].potential(&discretisation.order, local, panel.length().ln(), &charges[q]);
             let middle = 0.5 * (arguments[panel.edge] + arguments[panel.edge + 1]);
             let turn = panel.direction.arg();
             let turns = ((middle - turn - (local - 0.5).arg()) / TAU).round();
-            sum += own + Complex64::new(0.0, (turn + TAU * turns) * self.masses[q]);
+            sum += own + Complex64::new(0.0, (turn + TAU * turns) * self.masses[q * p..][..p].iter().sum::<f64>());
         }
         sum
     }

@@ -42,6 +42,8 @@ pub enum Stop {
     Tolerance,
     /// The next refinement would need more than `max_unknowns`.
     MaxUnknowns,
+    /// The panels of an earlier solve were to be kept, and are too coarse for this center.
+    SamePanels,
     /// Refining no longer helped: rounding, or a region at the limit of double precision.
     Stagnation,
 }
@@ -57,6 +59,8 @@ pub struct Solution {
     pub masses: Vec<f64>,
     /// θ along the boundary.
     pub correspondence: BoundaryCorrespondence,
+    /// log f inside, by direct summation.
+    pub potential: LogPotential,
     /// Largest violation of the equation at points that were not collocated, or |c| if that is larger.
     pub residual: f64,
     /// Estimate of the largest error of the map.
@@ -86,6 +90,8 @@ const REFINE_SHARE: f64 = 0.3;
 /// The linear systems are solved to this share of it: between the walls of a thin slot the potential hardly sees
 /// opposite masses, so what the iteration leaves there weighs a thousand times more in the map.
 const ITERATION_SHARE: f64 = 1e-3;
+/// And to this one when only the center has moved: the guess is good where slots would be slow.
+const MOVE_SHARE: f64 = 0.1;
 /// Below this, a residual that refining did not halve is taken for rounding.
 const STAGNATION_BELOW: f64 = 1e-10;
 /// Corner panels reach this far, measured in the clearance of their corner.
@@ -112,8 +118,8 @@ pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Res
     adapt(system, rules, center, None, options, progress)
 }
 
-/// The same region for another `center` (plane units): one more right-hand side of the same system, unless the panels turn
-/// out too coarse for it. `options` should be those of the first solve.
+/// The same region for another `center` (plane units), refining the panels where they are too coarse for it.
+/// `options` should be those of the first solve.
 ///
 /// # Errors
 /// As [`solve`].
@@ -129,18 +135,68 @@ pub fn solve_again(
     adapt(Arc::clone(&previous.system), rules, center, Some(moved_measure(previous, center)), options, progress)
 }
 
+/// The same region for another `center` (plane units) on the panels that there are: nothing is assembled, factored or
+/// refined, and the estimate says how well they serve.
+///
+/// # Errors
+/// [`Error::Cancelled`], [`Error::NegativeMass`].
+pub fn move_center(
+    previous: &Solution,
+    center: Complex64,
+    options: &SolveOptions,
+    progress: Progress,
+) -> Result<Solution> {
+    let system = Arc::clone(&previous.system);
+    let center = center * system.discretisation.boundary.unit;
+    let mut outcome = system.check(center, moved_measure(previous, center));
+    if estimate_of(&outcome) > options.tolerance {
+        let tolerance = MOVE_SHARE * options.tolerance / ERROR_PER_RESIDUAL;
+        outcome = system.solve(center, tolerance, Some(outcome.masses), progress)?;
+    }
+    let error_estimate = estimate_of(&outcome);
+    let stop = if error_estimate <= options.tolerance { Stop::Tolerance } else { Stop::SamePanels };
+    finish(system, center, outcome, error_estimate, stop)
+}
+
 /// Harmonic measure seen from `center`, as far as `previous` knows: Poisson's kernel times the measure seen from its own
 /// center, dμ₁ = (1 − |w|²)/|e^{iθ} − w|² dμ₀ with w = f₀(center).
 fn moved_measure(previous: &Solution, center: Complex64) -> Vec<f64> {
     let discretisation = previous.discretisation();
-    let w = LogPotential::new(discretisation, &previous.masses).map(discretisation, previous.center, center);
-    let tau = discretisation.order.panel.nodes.iter().map(|t| 0.5 * (t + 1.0));
-    let nodes = (0..discretisation.panels.len()).flat_map(|q| tau.clone().map(move |tau| (q, tau)));
-    let poisson = |(q, tau)| {
-        let theta = TAU * previous.correspondence.measure(discretisation, q, tau);
-        (1.0 - w.norm_sqr()) / (Complex64::cis(theta) - w).norm_sqr()
-    };
-    nodes.zip(&previous.masses).map(|(node, mass)| mass * poisson(node)).collect()
+    let w = previous.potential.map(discretisation, previous.center, center);
+    let nodes = &discretisation.order.panel.nodes;
+    let mut moved = Vec::with_capacity(previous.masses.len());
+    for (i, mass) in previous.masses.iter().enumerate() {
+        let (q, node) = (i / nodes.len(), i % nodes.len());
+        let theta = TAU * previous.correspondence.measure(discretisation, q, 0.5 * (nodes[node] + 1.0));
+        moved.push(mass * (1.0 - w.norm_sqr()) / (Complex64::cis(theta) - w).norm_sqr());
+    }
+    let total: f64 = moved.iter().sum();
+    moved.iter_mut().for_each(|mass| *mass /= total);
+    moved
+}
+
+/// What the residuals say of the map's error, apart from rounding in the system.
+fn estimate_of(outcome: &SystemSolution) -> f64 {
+    ERROR_PER_RESIDUAL * outcome.residual() + ROUNDING
+}
+
+/// A solution with its evidence, unless its masses show that it is none.
+fn finish(
+    system: Arc<System>,
+    center: Complex64,
+    outcome: SystemSolution,
+    error_estimate: f64,
+    stop: Stop,
+) -> Result<Solution> {
+    let residual = outcome.residual();
+    let masses = outcome.masses;
+    let correspondence = BoundaryCorrespondence::new(&system.discretisation, &masses);
+    let mass = correspondence.smallest_mass();
+    if mass < -error_estimate || !residual.is_finite() {
+        return Err(Error::NegativeMass { mass, estimate: error_estimate });
+    }
+    let potential = LogPotential::new(&masses);
+    Ok(Solution { system, center, masses, correspondence, potential, residual, error_estimate, stop })
 }
 
 /// Solves, and halves panels and solves again until the estimate meets the tolerance.
@@ -155,15 +211,14 @@ fn adapt(
     let acceptable = options.tolerance / ERROR_PER_RESIDUAL;
     let mut previous_residual = f64::INFINITY;
     loop {
-        let SystemSolution { masses, c, residuals } =
-            system.solve(center, ITERATION_SHARE * acceptable, guess.take(), progress)?;
-        let residual = residuals.iter().fold(c.abs(), |worst, r| if *r > worst || r.is_nan() { *r } else { worst });
-        let mut error_estimate = ERROR_PER_RESIDUAL * residual + ROUNDING;
+        let outcome = system.solve(center, ITERATION_SHARE * acceptable, guess.take(), progress)?;
+        let residual = outcome.residual();
+        let mut error_estimate = estimate_of(&outcome);
         if error_estimate < CHECK_ROUNDING_BELOW {
             error_estimate += NOISE * system.noise_amplification(progress)?;
         }
         let discretisation = &system.discretisation;
-        let panels = refine(&discretisation.panels, &residuals, REFINE_SHARE * acceptable);
+        let panels = refine(&discretisation.panels, &outcome.residuals, REFINE_SHARE * acceptable);
         let stop = if error_estimate <= options.tolerance {
             Some(Stop::Tolerance)
         } else if panels.len() * rules.order.p() > options.max_unknowns {
@@ -176,12 +231,7 @@ fn adapt(
             None
         };
         if let Some(stop) = stop {
-            let correspondence = BoundaryCorrespondence::new(discretisation, &masses);
-            let mass = correspondence.smallest_mass();
-            if mass < -error_estimate || !residual.is_finite() {
-                return Err(Error::NegativeMass { mass, estimate: error_estimate });
-            }
-            return Ok(Solution { system, center, masses, correspondence, residual, error_estimate, stop });
+            return finish(system, center, outcome, error_estimate, stop);
         }
         previous_residual = residual;
         let refined = Discretisation::new(Arc::clone(&discretisation.boundary), panels, &mut rules);
@@ -194,9 +244,9 @@ fn adapt(
 fn order_for(options: &SolveOptions, panels: usize) -> Result<Order> {
     let digits = -options.tolerance.log10();
     let best = match digits {
+        d if d < 3.5 => 3,
         d if d < 4.5 => 4,
         d if d < 6.5 => 6,
-        d if d < 7.5 => 7,
         d if d < 9.5 => 8,
         d if d < 11.5 => 12,
         _ => 16,

@@ -40,10 +40,18 @@ pub struct SystemSolution {
     pub residuals: Vec<f64>,
 }
 
+impl SystemSolution {
+    /// The largest violation of the equation, or |c| if that is larger.
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        self.residuals.iter().fold(self.c.abs(), |worst, r| if *r > worst || r.is_nan() { *r } else { worst })
+    }
+}
+
 /// Up to so many unknowns a factorisation beats iterating (measured).
 const FACTOR_UP_TO: usize = 500;
 /// Up to so many, storing every entry beats expansions (measured).
-const DENSE_UP_TO: usize = 1700;
+const DENSE_UP_TO: usize = 2000;
 /// Iterations after which something is wrong; 4 to 40 are usual.
 const MOST_ITERATIONS: usize = 200;
 
@@ -95,6 +103,13 @@ impl System {
         let c = x.pop().unwrap_or(f64::NAN);
         let residuals = self.residuals(&x, c, center);
         Ok(SystemSolution { masses: x, c, residuals })
+    }
+
+    /// Takes `masses` for the solution, and says how well they fit.
+    #[must_use]
+    pub fn check(&self, center: Complex64, masses: Vec<f64>) -> SystemSolution {
+        let residuals = self.residuals(&masses, 0.0, center);
+        SystemSolution { masses, c: 0.0, residuals }
     }
 
     /// How much noise of size 1 in the equations moves the measure of a part of the boundary: what rounding is multiplied
