@@ -79,9 +79,3 @@ pub trait PlaneMap {
         None
     }
 }
-
-impl<M: PlaneMap + ?Sized> PlaneMap for &M {
-    fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        (**self).jets(points, jets);
-    }
-}

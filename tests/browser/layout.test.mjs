@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { onGrid, photoFrame, toPixels, toPlane } from "../../www/js/frame.js";
+import { onGrid, photoFrame, toPixels, toPlane } from "../../www/js/common/frame.js";
 import { openPage, screenshot, startBrowser } from "./support/page.mjs";
 
 /** @type {Awaited<ReturnType<typeof startBrowser>>} */

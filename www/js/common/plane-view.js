@@ -1,0 +1,135 @@
+// A panel that looks at a part of the plane: dragged to move, wheel or two fingers to zoom.
+
+import { scaleOf, toPixels, toPlane } from "./frame.js";
+import { pixelOf, set, svg } from "./svg.js";
+
+/** @typedef {import("./frame.js").Frame} Frame */
+/** @typedef {import("./frame.js").Point} Point */
+/** @typedef {{ center: Point, width: number }} Placement */
+
+/** A notch of the wheel zooms by about this. */
+const ZOOM = 1.0015;
+/** Widths beyond these are of no use, and run out of digits. */
+const [NARROWEST, WIDEST] = [1e-9, 1e9];
+
+export class PlaneView {
+  root;
+  /** In CSS pixels of the panel. @type {Frame} */
+  frame = { center: [0, 0], width: 4, pixels: [1, 1] };
+  #canvas;
+  #outside = svg("path", { class: "outside", "fill-rule": "evenodd" });
+  #axes = svg("path", { class: "axes" });
+  #ticks = svg("g", { class: "ticks" });
+  /** @type {Map<number, Point>} */ #fingers = new Map();
+
+  /**
+   * @param {HTMLCanvasElement} canvas @param {SVGSVGElement} root
+   * @param {((place: Placement) => void) | null} onMove called when it is dragged or zoomed, unless it stays where it is
+   */
+  constructor(canvas, root, onMove) {
+    this.root = root;
+    this.#canvas = canvas;
+    root.append(this.#outside, this.#axes, this.#ticks);
+    if (onMove) this.#follow(onMove);
+  }
+
+  /** Looks at a part of the plane. @param {Placement} place */
+  look({ center, width }) {
+    const side = Math.max(1, this.root.getBoundingClientRect().width);
+    this.frame = { center, width, pixels: [side, side] };
+    this.#drawAxes();
+  }
+
+  /** Sets a square of the plane off from its surroundings. @param {Placement} place */
+  outline({ center: [x, y], width }) {
+    const [left, top] = toPixels(this.frame, [x - width / 2, y + width / 2]);
+    const side = width * scaleOf(this.frame);
+    const [w, h] = this.frame.pixels;
+    set(this.#outside, { d: `M-2 -2H${w + 2}V${h + 2}H-2ZM${left} ${top}h${side}v${side}h${-side}Z` });
+  }
+
+  /** The frame to render in. @param {number} sharpness 1 for the screen's own pixels @returns {Frame} */
+  view(sharpness) {
+    const side = Math.round(this.frame.pixels[0] * (window.devicePixelRatio || 1) * sharpness);
+    const count = Math.min(1600, Math.max(32, side));
+    return { ...this.frame, pixels: [count, count] };
+  }
+
+  /** Shows pixels rendered for a view, which may have moved since. @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {Frame} view */
+  paint(pixels, { pixels: [width, height] }) {
+    this.#canvas.width = width;
+    this.#canvas.height = height;
+    this.#canvas.getContext("2d")?.putImageData(new ImageData(pixels, width, height), 0, 0);
+  }
+
+  /** The picture as a PNG. @returns {Promise<Blob | null>} */
+  toBlob() {
+    return new Promise((resolve) => this.#canvas.toBlob(resolve, "image/png"));
+  }
+
+  /** The two axes, and the points ±1, ±i. */
+  #drawAxes() {
+    const [width, height] = this.frame.pixels;
+    const [x, y] = toPixels(this.frame, [0, 0]);
+    set(this.#axes, { d: `M0 ${y}H${width}M${x} 0V${height}` });
+    /** @type {[string, Point][]} */
+    const marks = [["1", [1, 0]], ["−1", [-1, 0]], ["i", [0, 1]], ["−i", [0, -1]], ["0", [0, 0]]];
+    const shown = scaleOf(this.frame) > 25 ? marks : [];
+    this.#ticks.replaceChildren(
+      ...shown.flatMap(([name, point]) => {
+        const [cx, cy] = toPixels(this.frame, point);
+        const text = svg("text", { x: cx + 5, y: cy - 5 });
+        text.textContent = name;
+        return [svg("circle", { cx, cy, r: 2.2 }), text];
+      }),
+    );
+  }
+
+  /** @param {(place: Placement) => void} onMove */
+  #follow(onMove) {
+    const { root } = this;
+    root.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      const notch = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 20 * event.deltaY : event.deltaY;
+      onMove(this.#zoomed(pixelOf(root, event), ZOOM ** notch));
+    }, { passive: false });
+    root.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      root.setPointerCapture(event.pointerId);
+      this.#fingers.set(event.pointerId, pixelOf(root, event));
+      root.classList.add("held");
+    });
+    root.addEventListener("pointermove", (event) => {
+      const last = this.#fingers.get(event.pointerId);
+      if (!last) return;
+      const at = pixelOf(root, event);
+      const [other] = [...this.#fingers].filter(([id]) => id !== event.pointerId).map(([, point]) => point);
+      this.#fingers.set(event.pointerId, at);
+      if (!other) return onMove(this.#shifted(last, at));
+      const ratio = Math.hypot(last[0] - other[0], last[1] - other[1]) / Math.hypot(at[0] - other[0], at[1] - other[1]);
+      if (Number.isFinite(ratio)) onMove(this.#zoomed(other, ratio));
+    });
+    for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
+      root.addEventListener(end, (event) => {
+        this.#fingers.delete(event.pointerId);
+        if (!this.#fingers.size) root.classList.remove("held");
+      });
+    }
+  }
+
+  /** The place in which the point seen at `from` is seen at `to`. @param {Point} from @param {Point} to @returns {Placement} */
+  #shifted(from, to) {
+    const [[x0, y0], [x1, y1]] = [toPlane(this.frame, from), toPlane(this.frame, to)];
+    const { center, width } = this.frame;
+    return { center: [center[0] + x0 - x1, center[1] + y0 - y1], width };
+  }
+
+  /** Wider by `ratio`, with the point under `pixel` where it is. @param {Point} pixel @param {number} ratio @returns {Placement} */
+  #zoomed(pixel, ratio) {
+    const { center, width } = this.frame;
+    const [x, y] = toPlane(this.frame, pixel);
+    const wanted = Math.min(WIDEST, Math.max(NARROWEST, width * ratio));
+    const r = wanted / width;
+    return { center: [x + (center[0] - x) * r, y + (center[1] - y) * r], width: wanted };
+  }
+}

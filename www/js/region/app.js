@@ -1,0 +1,199 @@
+// The page: connects the state, the two panels, the solver and the controls.
+
+import { Controls } from "./controls.js";
+import { DiskView } from "./disk-view.js";
+import { Pen } from "./draw.js";
+import { Editor } from "./edit.js";
+import { failureWords, readingWords, rows } from "./evidence.js";
+import { acceptFiles } from "../common/files.js";
+import { addPicture, loadPicture } from "../common/images.js";
+import { photos } from "../common/photos.js";
+import { Probe } from "../common/probe.js";
+import { PhotoView } from "./photo-view.js";
+import { photoRegion, shapeRegion, shapes } from "./presets.js";
+import { Solver } from "./solver.js";
+import { Store } from "./store.js";
+import { Traveller, upright } from "./travel.js";
+import { decode, encode } from "./url.js";
+
+/** @typedef {import("../common/images.js").Picture} Picture */
+/** @typedef {import("./solver.js").Outcome} Outcome */
+/** @typedef {import("./solver.js").State} State */
+
+/** @template {HTMLElement | SVGSVGElement} E @param {string} id @returns {E} */
+const element = (id) => /** @type {E} */ (/** @type {unknown} */ (document.getElementById(id)));
+
+const FIRST_PHOTO = "astronaut";
+
+/** @type {Picture} */
+let picture;
+/** The last good picture of the disk. @type {Outcome | null} */
+let outcome = null;
+
+const photoView = new PhotoView(element("photo"), element("photo-marks"));
+const diskView = new DiskView(element("disk"), element("disk-lines"), element("disk-marks"));
+const solver = new Solver(diskView, { onOutcome, onFailure, onProgress, onBroken });
+
+const address = decode(location.hash);
+const store = new Store({ image: FIRST_PHOTO, region: photoRegion(FIRST_PHOTO) }, address.shown ?? { mesh: false, grid: false });
+const editor = new Editor(store, photoView);
+const pen = new Pen(store, photoView);
+const locator = () => outcome?.locator ?? null;
+new Traveller(store, diskView, locator);
+const probe = new Probe(photoView, diskView, locator, (reading) => {
+  element("reading").textContent = readingWords(reading);
+});
+
+const controls = new Controls(store, {
+  draw: () => (store.mode === "draw" ? pen.cancel() : pen.begin()),
+  remove: () => editor.removeSelected(),
+  reset: () => store.commit({ region: defaultRegion(store.doc.image) }),
+  photo: (id) => openPicture(loadPicture(id)),
+  shape: (name) => store.commit({ region: shapeRegion(name, ...picture.frame.pixels) }),
+  upright: () => {
+    const region = outcome && upright(store.doc.region, outcome.locator);
+    if (region) store.commit({ region });
+  },
+  save: savePicture,
+});
+
+await start();
+
+async function start() {
+  store.begin(await documentAt(address));
+  store.subscribe(onChange);
+  acceptFiles(element("file"), element("photo-stage"), (file) => openPicture(addPicture(file)));
+  window.addEventListener("hashchange", () => visit(decode(location.hash)));
+  new ResizeObserver(() => onResize()).observe(element("panels"));
+  onChange("commit");
+}
+
+/** Goes to another address. @param {import("./url.js").Address} to */
+async function visit(to) {
+  const doc = await documentAt(to);
+  if (to.shown) store.show(to.shown);
+  store.commit(doc);
+}
+
+/** The document of an address; its picture is loaded. @param {import("./url.js").Address} address */
+async function documentAt({ image, shape, region }) {
+  const id = image && (image in photos || image === store.doc.image) ? image : store.doc.image;
+  picture = await loadPicture(id);
+  const size = picture.frame.pixels;
+  const wanted = region ?? (shape && shape in shapes ? shapeRegion(shape, ...size) : defaultRegion(id));
+  return { image: id, region: wanted };
+}
+
+/** @param {string} id */
+function defaultRegion(id) {
+  return id in photos ? photoRegion(id) : shapeRegion("ellipse", ...picture.frame.pixels);
+}
+
+/** @param {Promise<Picture>} loading */
+async function openPicture(loading) {
+  try {
+    picture = await loading;
+    store.commit({ image: picture.id, region: defaultRegion(picture.id) });
+  } catch (error) {
+    say(error instanceof Error ? error.message : String(error), "invalid");
+  }
+}
+
+/** @param {import("./store.js").Change} change */
+async function onChange(change) {
+  if (picture.id !== store.doc.image) picture = await loadPicture(store.doc.image);
+  const solving = change === "drag" || change === "commit";
+  if (solving) probe.hide();
+  layOut();
+  draw();
+  if (solving) {
+    if (document.body.dataset.state !== "loading") mark("working");
+    solver.solve(store.doc, picture, change === "drag");
+  }
+  if (change !== "drag" && change !== "mode") remember();
+}
+
+function layOut() {
+  const [width, height] = picture.frame.pixels;
+  element("panels").style.setProperty("--aspect", String(width / height));
+  photoView.fit(picture);
+  diskView.fit();
+}
+
+function draw() {
+  photoView.draw(picture, store, outcome);
+  diskView.draw(store.shown, outcome, store.doc.region.boundary[store.selected ?? -1]);
+  controls.update(picture.title);
+}
+
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let resizing;
+
+function onResize() {
+  layOut();
+  draw();
+  clearTimeout(resizing);
+  resizing = setTimeout(() => solver.solve(store.doc, picture, false), 150);
+}
+
+function remember() {
+  history.replaceState(null, "", `#${encode(store.doc, store.shown)}`);
+}
+
+/** @param {Outcome} next @param {State} state */
+function onOutcome(next, state) {
+  outcome = next;
+  diskView.paint(next.result);
+  draw();
+  say("", state);
+  if (state !== "ready") return;
+  const list = element("evidence");
+  list.replaceChildren(...rows(next.result.evidence).map(([name, value, meaning]) => evidenceRow(name, value, meaning)));
+}
+
+/** @param {string} name @param {string} value @param {string} meaning */
+function evidenceRow(name, value, meaning) {
+  const row = document.createElement("div");
+  for (const [tag, text] of [["dt", name], ["dd", value], ["dd", meaning]]) {
+    row.append(Object.assign(document.createElement(tag), { textContent: text }));
+  }
+  row.lastElementChild?.classList.add("meaning");
+  return row;
+}
+
+/** @param {import("../common/serve.js").Failure} failure */
+function onFailure(failure) {
+  say(failureWords(failure, outcome !== null), "invalid");
+}
+
+/** @param {number | "begun" | null} progress */
+function onProgress(progress) {
+  const bar = /** @type {HTMLProgressElement} */ (element("progress"));
+  bar.hidden = progress === null;
+  if (typeof progress === "number" && progress < 1) bar.value = progress;
+  else bar.removeAttribute("value");
+}
+
+/** @param {string} message */
+function onBroken(message) {
+  say(`The page’s WebAssembly module could not be started: ${message}`, "failed");
+}
+
+/** @param {string} words @param {State} state */
+function say(words, state) {
+  mark(state);
+  element("notice").textContent = words;
+}
+
+/** @param {State} state */
+function mark(state) {
+  document.body.dataset.state = state;
+}
+
+async function savePicture() {
+  const blob = await diskView.toBlob();
+  if (!blob) return;
+  const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: "disk.png" });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}

@@ -1,0 +1,77 @@
+// The right panel: the warped picture on the unit disk, its rim, the images of the corners and of the inward vector.
+
+import { diskFrame, scaleOf, toPixels } from "../common/frame.js";
+import { Layer, drawMesh, drawPolarGrid } from "./overlay.js";
+import { RAYS, RINGS } from "./polar.js";
+import { match, set, svg } from "../common/svg.js";
+import { markVector, updateVector } from "./vector.js";
+
+/** @typedef {import("../common/frame.js").Frame} Frame */
+/** @typedef {import("../common/frame.js").Point} Point */
+/** @typedef {import("./store.js").Shown} Shown */
+/** @typedef {import("./solver.js").Outcome} Outcome */
+
+export class DiskView {
+  root;
+  /** In CSS pixels of the panel. @type {Frame} */
+  frame = diskFrame(1);
+  #canvas;
+  #layer;
+  #rim = svg("circle", { class: "rim" });
+  #corners = svg("g", { class: "corners" });
+  #vector = markVector(false);
+  #zero = svg("text", { class: "label" });
+  #one = svg("text", { class: "label" });
+
+  /** @param {HTMLCanvasElement} canvas of the picture @param {HTMLCanvasElement} lines @param {SVGSVGElement} root */
+  constructor(canvas, lines, root) {
+    this.root = root;
+    this.#canvas = canvas;
+    this.#layer = new Layer(lines);
+    this.#zero.textContent = "0";
+    this.#one.textContent = "1";
+    root.append(this.#rim, this.#corners, this.#vector, this.#zero, this.#one);
+  }
+
+  fit() {
+    this.frame = diskFrame(Math.max(1, this.root.getBoundingClientRect().width));
+  }
+
+  /** The frame to render in. @param {number} sharpness 1 for the screen's own pixels */
+  view(sharpness) {
+    const side = Math.round(this.frame.pixels[0] * (window.devicePixelRatio || 1) * sharpness);
+    return diskFrame(Math.min(1600, Math.max(64, side)));
+  }
+
+  /** @param {import("./pipeline.js").Result} result */
+  paint({ pixels, view: { pixels: [width, height] } }) {
+    this.#canvas.width = width;
+    this.#canvas.height = height;
+    this.#canvas.getContext("2d")?.putImageData(new ImageData(pixels, width, height), 0, 0);
+  }
+
+  /** @param {Shown} shown @param {Outcome | null} outcome @param {Point | undefined} selected the corner to mark */
+  draw(shown, outcome, selected) {
+    const drawing = this.#layer.begin(this.frame);
+    const [x, y] = toPixels(this.frame, [0, 0]);
+    set(this.#rim, { cx: x, cy: y, r: scaleOf(this.frame) });
+    const one = toPixels(this.frame, [1, 0]);
+    updateVector(this.#vector, one, [x, y]);
+    set(this.#zero, { x: x - 14, y: y + 18 });
+    set(this.#one, { x: one[0] - 16, y: one[1] + 20 });
+    match(this.#corners, [...(outcome?.result.angles ?? [])], () => svg("circle", { r: 3 }), (element, angle, k) => {
+      const [cx, cy] = toPixels(this.frame, [Math.cos(angle), Math.sin(angle)]);
+      const corners = outcome?.result.corners ?? [];
+      const chosen = selected && corners[2 * k] === selected[0] && corners[2 * k + 1] === selected[1];
+      set(element, { cx, cy, class: chosen ? "corner selected" : "corner" });
+    });
+    if (!outcome) return;
+    if (shown.mesh) drawMesh(drawing, outcome.result.mesh.target, outcome.edges);
+    if (shown.grid) drawPolarGrid(drawing, RINGS, RAYS);
+  }
+
+  /** The picture as a PNG. @returns {Promise<Blob | null>} */
+  toBlob() {
+    return new Promise((resolve) => this.#canvas.toBlob(resolve, "image/png"));
+  }
+}

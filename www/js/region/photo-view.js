@@ -1,0 +1,98 @@
+// The left panel: the photo, dimmed outside the region, with the region's outline, points and inward vector over it.
+
+import { onGrid, toPixels } from "../common/frame.js";
+import { Layer, drawLines, drawMesh } from "./overlay.js";
+import { faults, towardPoint } from "./region.js";
+import { match, pathData, set, svg } from "../common/svg.js";
+import { markVector, updateVector } from "./vector.js";
+
+/** @typedef {import("../common/frame.js").Frame} Frame */
+/** @typedef {import("../common/frame.js").Point} Point */
+/** @typedef {import("../common/images.js").Picture} Picture */
+/** @typedef {import("./store.js").Store} Store */
+/** @typedef {import("./solver.js").Outcome} Outcome */
+
+export class PhotoView {
+  root;
+  /** The photo's frame in CSS pixels of the panel. @type {Frame} */
+  frame = { center: [0, 0], width: 2, pixels: [1, 1] };
+  #layer;
+  #body = svg("path", { class: "body", "data-part": "body" });
+  #outline = svg("path", { class: "outline" });
+  #edges = svg("g", { class: "edges" });
+  #vertices = svg("g", { class: "vertices" });
+  #vector = markVector(true);
+
+  /** @param {HTMLCanvasElement} canvas @param {SVGSVGElement} root */
+  constructor(canvas, root) {
+    this.root = root;
+    this.#layer = new Layer(canvas);
+    const halo = svg("use", { class: "halo", href: "#outline-shape" });
+    this.#outline.id = "outline-shape";
+    root.append(this.#body, halo, this.#outline, this.#edges, this.#vertices, this.#vector);
+  }
+
+  /** @param {Picture} picture */
+  fit(picture) {
+    const { width, height } = this.root.getBoundingClientRect();
+    this.frame = onGrid(picture.frame, [Math.max(1, width), Math.max(1, height)]);
+  }
+
+  /** @param {Picture} picture @param {Store} store @param {Outcome | null} outcome */
+  draw(picture, store, outcome) {
+    this.#drawPhoto(picture, store, outcome);
+    this.#drawRegion(store);
+  }
+
+  /** @param {Picture} picture @param {Store} store @param {Outcome | null} outcome */
+  #drawPhoto({ canvas }, { doc, shown, mode }, outcome) {
+    const drawing = this.#layer.begin(this.frame);
+    const { context, frame } = drawing;
+    const [width, height] = frame.pixels;
+    context.imageSmoothingQuality = "high";
+    context.drawImage(canvas, 0, 0, width, height);
+    if (mode === "draw") return;
+    const path = new Path2D(pathData(doc.region.boundary.map((p) => toPixels(frame, p)), true));
+    const outside = new Path2D(path);
+    outside.rect(0, 0, width, height);
+    context.fillStyle = "rgb(0 0 0 / 0.42)";
+    context.fill(outside, "evenodd");
+    if (shown.mesh && outcome) drawMesh(drawing, outcome.result.mesh.source, outcome.edges);
+    if (shown.grid && outcome) drawLines(drawing, outcome.grid);
+  }
+
+  /** @param {Store} store */
+  #drawRegion({ doc: { region }, selected, mode }) {
+    const { boundary, center } = region;
+    const pixels = boundary.map((p) => toPixels(this.frame, p));
+    const wrong = faults(region);
+    this.root.classList.toggle("drawing", mode === "draw");
+    this.root.classList.toggle("dense", boundary.length > 48);
+    const data = pathData(pixels, true);
+    set(this.#body, { d: data });
+    set(this.#outline, { d: data });
+    match(this.#edges, pixels, (edge) => svg("path", { "data-part": "edge", "data-index": edge }), (element, from, k) => {
+      set(element, { d: pathData([from, pixels[(k + 1) % pixels.length]], false), class: wrong.edges.has(k) ? "edge wrong" : "edge" });
+    });
+    match(this.#vertices, pixels, newVertex, (element, [x, y], k) => {
+      const label = `Point ${k + 1} of ${pixels.length}`;
+      const current = k === (selected ?? 0);
+      set(element, { transform: `translate(${x} ${y})`, tabindex: current ? 0 : -1, "aria-label": label });
+      element.classList.toggle("selected", k === selected);
+    });
+    updateVector(this.#vector, toPixels(this.frame, towardPoint(region)), toPixels(this.frame, center), wrong.center);
+  }
+
+  /** Gives the keyboard to a vertex. @param {number} index */
+  focusVertex(index) {
+    /** @type {SVGElement | undefined} */ (this.#vertices.children[index])?.focus();
+  }
+}
+
+/** @param {number} index */
+function newVertex(index) {
+  return svg("g", { class: "vertex", "data-part": "vertex", "data-index": index, role: "button" }, [
+    svg("circle", { class: "reach" }),
+    svg("circle", { class: "dot" }),
+  ]);
+}

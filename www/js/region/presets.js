@@ -1,0 +1,102 @@
+// A region drawn for each of the photos, and shapes that fit any photo.
+
+import { photoFrame, toPlane } from "../common/frame.js";
+import { photos } from "../common/photos.js";
+import { makeRegion } from "./region.js";
+
+/** @typedef {import("../common/frame.js").Point} Point */
+/** @typedef {import("./region.js").Region} Region */
+/** The region drawn for each photo, in its pixels. @type {Record<string, { outline: Point[], center: Point, toward: Point }>} */
+const drawn = {
+  astronaut: {
+    outline: [
+      [196, 22], [232, 14], [268, 22], [292, 46], [303, 84], [290, 118], [272, 140], [258, 168], [296, 206],
+      [306, 248], [286, 284], [238, 298], [186, 288], [146, 258], [120, 216], [124, 176], [152, 152], [180, 150],
+      [184, 132], [160, 104], [154, 74], [170, 40],
+    ],
+    center: [222, 108],
+    toward: [286, 123],
+  },
+  chelsea: {
+    outline: [
+      [34, 96], [44, 34], [96, 8], [180, 4], [262, 8], [330, 22], [362, 66], [368, 120], [352, 168], [330, 216],
+      [304, 258], [262, 284], [212, 270], [164, 236], [110, 204], [58, 168],
+    ],
+    center: [256, 150],
+    toward: [353.2, 164.6],
+  },
+  coffee: {
+    outline: [
+      [180, 52], [214, 26], [270, 16], [340, 28], [388, 54], [404, 68], [424, 74], [420, 108], [462, 160], [480, 220],
+      [462, 292], [408, 350], [330, 384], [244, 380], [158, 346], [102, 290], [78, 222], [92, 158], [132, 108], [174, 84],
+    ],
+    center: [290, 128],
+    toward: [422.1, 89.8],
+  },
+  retina: {
+    outline: [
+      [110, 640], [160, 470], [330, 330], [560, 290], [800, 340], [1010, 440], [1150, 580], [1200, 720],
+      [1130, 860], [980, 990], [780, 1060], [540, 1070], [320, 1000], [160, 850],
+    ],
+    center: [560, 690],
+    toward: [1179.8, 663.4],
+  },
+};
+
+/** @type {(count: number, at: (turns: number, k: number) => Point) => Point[]} */
+const around = (count, at) => Array.from({ length: count }, (_, k) => at(k / count, k));
+
+/** @type {(radius: number, turns: number) => Point} */
+const polar = (radius, turns) => [radius * Math.cos(2 * Math.PI * turns), radius * Math.sin(2 * Math.PI * turns)];
+
+/** A band along four fifths of a circle, open to the right. */
+function horseshoe() {
+  /** @type {(radius: number) => Point[]} */
+  const arc = (radius) => around(31, (_, k) => polar(radius, 0.1 + (0.8 * k) / 30));
+  return [...arc(0.9), ...arc(0.48).reverse()];
+}
+
+/** A rough coast of a hundred corners, always the same one. */
+function coast() {
+  return around(100, (turns, k) => {
+    const slow = 0.16 * Math.cos(2 * Math.PI * (2 * turns + 0.1)) + 0.12 * Math.sin(2 * Math.PI * 5 * turns);
+    const rough = 0.06 * Math.sin(k * k * 12.9898);
+    return polar(0.74 + slow + rough, turns);
+  });
+}
+
+/** Outlines about [−1, 1] in size, stretched to fit the photo. @type {Record<string, { title: string, outline: Point[] }>} */
+export const shapes = {
+  square: { title: "Square", outline: [[-0.75, -0.75], [0.75, -0.75], [0.75, 0.75], [-0.75, 0.75]] },
+  ell: { title: "L", outline: [[-0.8, -0.8], [0.8, -0.8], [0.8, 0], [0, 0], [0, 0.8], [-0.8, 0.8]] },
+  star: { title: "Star", outline: around(10, (turns, k) => polar(k % 2 ? 0.42 : 0.95, turns + 0.05)) },
+  ellipse: { title: "Ellipse", outline: around(64, (turns) => [0.9 * polar(1, turns)[0], 0.5 * polar(1, turns)[1]]) },
+  slit: {
+    title: "Slit",
+    outline: [[-0.8, -0.8], [0.8, -0.8], [0.8, -0.01], [-0.1, -0.01], [-0.1, 0.01], [0.8, 0.01], [0.8, 0.8], [-0.8, 0.8]],
+  },
+  dumbbell: {
+    title: "Two rooms",
+    outline: [
+      [-0.9, -0.4], [-0.15, -0.4], [-0.15, -0.1], [0.15, -0.1], [0.15, -0.4], [0.9, -0.4],
+      [0.9, 0.4], [0.15, 0.4], [0.15, 0.1], [-0.15, 0.1], [-0.15, 0.4], [-0.9, 0.4],
+    ],
+  },
+  horseshoe: { title: "Horseshoe", outline: horseshoe() },
+  coast: { title: "Coast, 100 corners", outline: coast() },
+};
+
+/** The region drawn for a photo. @param {string} name @returns {Region} */
+export function photoRegion(name) {
+  const { outline, center, toward } = drawn[name];
+  const frame = photoFrame(...photos[name].size);
+  /** @param {Point} pixel */
+  const plane = (pixel) => toPlane(frame, pixel);
+  return makeRegion(outline.map(plane), plane(center), plane(toward));
+}
+
+/** A shape in the middle of a photo, as large as fits. @param {string} name @param {number} width @param {number} height @returns {Region} */
+export function shapeRegion(name, width, height) {
+  const scale = Math.min(width, height) / Math.max(width, height);
+  return makeRegion(shapes[name].outline.map(([x, y]) => [x * scale, y * scale]));
+}
