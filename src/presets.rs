@@ -114,9 +114,9 @@ pub static PRESETS: [Preset; 16] = [
     Preset {
         name: "logarithm",
         title: "Complex logarithm (figure 1)",
-        shows: "w = log z: each point w shows the picture at e^w. One period strip, 2π high, with halves of two others.",
+        shows: "w = log z: each point w shows the picture at e^w. One period strip, 2π high, with parts of two others.",
         formula: "exp(z)",
-        view: place(-1.5, 0.0, 2.0 * TAU),
+        view: place(-0.8, 0.0, 10.0),
         ..PHOTO
     },
     Preset {
@@ -159,10 +159,11 @@ pub static PRESETS: [Preset; 16] = [
     Preset {
         name: "exponential",
         title: "Exponential",
-        shows: "w = e^z: the picture, 2π high and repeated, wound around 0; its upper edge meets its lower one.",
+        shows: "w = e^z: the picture, π high, and its mirror image wound around 0. No seam anywhere.",
         formula: "log(z)",
-        texture: place(0.0, 0.0, TAU),
+        texture: place(0.0, 0.5 * PI, PI),
         view: place(0.0, 0.0, 8.0),
+        wrap: Wrap::Mirror,
         ..PHOTO
     },
     Preset {
@@ -275,7 +276,8 @@ mod tests {
             let map = preset.map().unwrap();
             for x in [-0.1, -1.0, -2.3] {
                 let [above, below] = [0.0, -1e-300].map(|y| map.eval(&[c(x, y)])[0]);
-                let periods = (above - below) / preset.texture.width;
+                let period = if preset.wrap == Wrap::Mirror { 2.0 } else { 1.0 } * preset.texture.width;
+                let periods = (above - below) / period;
                 let rounded = c(periods.re.round(), periods.im.round());
                 assert!((periods - rounded).norm() < 1e-12 && rounded != Complex64::ZERO, "{name}: {periods}");
             }

@@ -1,6 +1,6 @@
 //! One map after another.
 
-use super::{Jet, PlaneMap};
+use super::{InvertibleMap, Jet, PlaneMap};
 use crate::plane::Complex64;
 
 /// outer ∘ inner: z → outer(inner(z)), with the chain rule.
@@ -24,20 +24,38 @@ pub struct Compose<F, G> {
 
 impl<F: PlaneMap, G: PlaneMap> PlaneMap for Compose<F, G> {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        self.inner.jets(points, jets);
-        let images: Vec<Complex64> = jets.iter().map(|jet| jet.value).collect();
-        let mut outer = vec![Jet::UNDEFINED; points.len()];
-        self.outer.jets(&images, &mut outer);
-        for (jet, outer) in jets.iter_mut().zip(outer) {
-            *jet = outer.after(jet);
-        }
+        let (first, second) = (&self.inner, &self.outer);
+        chain(points, jets, |z, jets| first.jets(z, jets), |z, jets| second.jets(z, jets));
+    }
+}
+
+impl<F: InvertibleMap, G: InvertibleMap> InvertibleMap for Compose<F, G> {
+    fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
+        let (first, second) = (&self.outer, &self.inner);
+        chain(points, jets, |z, jets| first.inverse_jets(z, jets), |z, jets| second.inverse_jets(z, jets));
+    }
+}
+
+/// The jets of `second` after `first`.
+pub(super) fn chain(
+    points: &[Complex64],
+    jets: &mut [Jet],
+    first: impl FnOnce(&[Complex64], &mut [Jet]),
+    second: impl FnOnce(&[Complex64], &mut [Jet]),
+) {
+    first(points, jets);
+    let images: Vec<Complex64> = jets.iter().map(|jet| jet.value).collect();
+    let mut outer = vec![Jet::UNDEFINED; points.len()];
+    second(&images, &mut outer);
+    for (jet, outer) in jets.iter_mut().zip(outer) {
+        *jet = outer.after(jet);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::FormulaMap;
+    use crate::map::{FormulaMap, Moebius};
 
     #[test]
     fn the_chain_rule_holds_for_maps_that_are_not_analytic() {
@@ -64,5 +82,16 @@ mod tests {
         let mut jets = [Jet::UNDEFINED; 2];
         composed.jets(&[Complex64::ZERO, Complex64::ONE], &mut jets);
         assert!(jets[0].value.is_nan() && jets[1].value.re == 3.0);
+    }
+
+    #[test]
+    fn inverts_in_the_other_order() {
+        let shift = Moebius::new(1.0.into(), 2.0.into(), 0.0.into(), 1.0.into()).unwrap();
+        let map = Compose { outer: Moebius::cayley(), inner: shift };
+        let z = Complex64::new(0.4, 0.9);
+        let (mut there, mut back) = ([Jet::UNDEFINED], [Jet::UNDEFINED]);
+        map.jets(&[z], &mut there);
+        map.inverse_jets(&[there[0].value], &mut back);
+        assert!((back[0].value - z).norm() < 1e-15 && (back[0].dz * there[0].dz - 1.0).norm() < 1e-15);
     }
 }

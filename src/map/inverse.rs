@@ -30,6 +30,12 @@ pub trait InvertibleMap: PlaneMap {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inverse<M>(pub M);
 
+impl<M: InvertibleMap> InvertibleMap for &M {
+    fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
+        (**self).inverse_jets(points, jets);
+    }
+}
+
 impl<M: InvertibleMap> PlaneMap for Inverse<M> {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         self.0.inverse_jets(points, jets);

@@ -79,3 +79,9 @@ pub trait PlaneMap {
         None
     }
 }
+
+impl<M: PlaneMap + ?Sized> PlaneMap for &M {
+    fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
+        (**self).jets(points, jets);
+    }
+}

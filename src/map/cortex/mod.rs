@@ -10,7 +10,7 @@
 //!   eccentricity, the angle from the line of sight; θ is the azimuth, 0 on the right horizontal meridian and
 //!   counter-clockwise as the eye sees it. The right hemifield to 90° is the half disk |s| ≤ 1, Re s ≥ 0.
 //! - The right hemifield goes to the left hemisphere. The right hemisphere is the mirror image of the left: it shows
-//!   the left hemifield through the same map between two reflections, w = −conj(f(−conj(s))), which is conformal again.
+//!   the left hemifield through the same map between two reflections ([`Mirrored`]).
 //! - Angles are in degrees, lengths on the cortex in millimetres.
 //!
 //! Sources: C. Frederick and E. L. Schwartz (1988), appendix 3; M. Balasubramanian, J. Polimeni and E. L. Schwartz, *The
@@ -19,9 +19,13 @@
 mod field;
 mod gaze;
 mod half_disk;
+mod mirrored;
 mod model;
+mod retino_cortical;
 
 pub use field::{Degrees, FieldPoint};
 pub use gaze::Gaze;
 pub use half_disk::HalfDiskMap;
+pub use mirrored::Mirrored;
 pub use model::CorticalModel;
+pub use retino_cortical::{Landmark, RetinoCorticalMap};
