@@ -62,11 +62,6 @@ export class PlaneView {
     this.#canvas.getContext("2d")?.putImageData(new ImageData(pixels, width, height), 0, 0);
   }
 
-  /** The picture as a PNG. @returns {Promise<Blob | null>} */
-  toBlob() {
-    return new Promise((resolve) => this.#canvas.toBlob(resolve, "image/png"));
-  }
-
   /** The two axes, and the points ±1, ±i. */
   #drawAxes() {
     const [width, height] = this.frame.pixels;

@@ -4,6 +4,7 @@ import init, { presets as allPresets } from "../../pkg/index.js";
 import { acceptFiles } from "../common/files.js";
 import { addPicture } from "../common/images.js";
 import { Lane } from "../common/lane.js";
+import { element, mark, saveCanvas } from "../common/page.js";
 import { photos } from "../common/photos.js";
 import { PlaneView } from "../common/plane-view.js";
 import { Probe } from "../common/probe.js";
@@ -17,9 +18,6 @@ import { decode, encode, fromPreset } from "./state.js";
 /** @typedef {import("./pipeline.js").Job} Job */
 /** @typedef {import("./pipeline.js").Result} Result */
 /** @typedef {import("../common/images.js").Picture} Picture */
-
-/** @template {HTMLElement | SVGSVGElement} E @param {string} id @returns {E} */
-const element = (id) => /** @type {E} */ (/** @type {unknown} */ (document.getElementById(id)));
 
 const FIRST = "droste";
 /** The texture's plane is seen this many pictures wide. */
@@ -155,7 +153,7 @@ function connectControls() {
     select.onchange = () => change({ [name]: select.value });
   }
   element("home").onclick = () => change({ view: { center: [0, 0], width: 4 } });
-  element("save").onclick = save;
+  element("save").onclick = () => saveCanvas(element("target"), "formula.png");
   window.addEventListener("hashchange", () => go(decode(location.hash, presets, { ...usual, image: state.image })));
   new ResizeObserver(() => compiled && show()).observe(element("panels"));
 }
@@ -193,8 +191,8 @@ async function open(file) {
 
 /** @param {import("../common/probe.js").Reading} reading */
 function readingWords({ stretch, turn }) {
-  const size = stretch >= 1 ? `${stretch.toFixed(1)} times larger` : `${(1 / stretch).toFixed(1)} times smaller`;
-  return `The mark on the other side is ${size}, and turned by ${Math.round(turn)}°.`;
+  const size = stretch >= 1 ? `enlarged ${stretch.toFixed(1)} times` : `shrunk ${(1 / stretch).toFixed(1)} times`;
+  return `Here the picture is ${size} and turned by ${Math.round(turn)}°.`;
 }
 
 /** @param {string} words @param {number | null} position of a mistake in the formula */
@@ -203,17 +201,4 @@ function say(words, position) {
   const formula = /** @type {HTMLInputElement} */ (element("formula"));
   formula.setAttribute("aria-invalid", String(words !== ""));
   element("caret").textContent = position === null ? "" : `${" ".repeat(position)}▲`;
-}
-
-/** @param {"loading" | "working" | "ready" | "invalid" | "failed"} name */
-function mark(name) {
-  document.body.dataset.state = name;
-}
-
-async function save() {
-  const blob = await target.toBlob();
-  if (!blob) return;
-  const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: "formula.png" });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }

@@ -6,22 +6,22 @@ import { Pen } from "./draw.js";
 import { Editor } from "./edit.js";
 import { failureWords, readingWords, rows } from "./evidence.js";
 import { acceptFiles } from "../common/files.js";
+import { flatten } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
+import { element, mark, say, sayBroken, saveCanvas, showEvidence, showProgress } from "../common/page.js";
 import { photos } from "../common/photos.js";
 import { Probe } from "../common/probe.js";
+import { Scheduler } from "../common/scheduler.js";
+import { outcomeOf } from "./outcome.js";
 import { PhotoView } from "./photo-view.js";
 import { photoRegion, shapeRegion, shapes } from "./presets.js";
-import { Solver } from "./solver.js";
+import { towardPoint } from "./region.js";
 import { Store } from "./store.js";
 import { Traveller, upright } from "./travel.js";
 import { decode, encode } from "./url.js";
 
 /** @typedef {import("../common/images.js").Picture} Picture */
-/** @typedef {import("./solver.js").Outcome} Outcome */
-/** @typedef {import("./solver.js").State} State */
-
-/** @template {HTMLElement | SVGSVGElement} E @param {string} id @returns {E} */
-const element = (id) => /** @type {E} */ (/** @type {unknown} */ (document.getElementById(id)));
+/** @typedef {import("./outcome.js").Outcome} Outcome */
 
 const FIRST_PHOTO = "astronaut";
 
@@ -32,7 +32,8 @@ let outcome = null;
 
 const photoView = new PhotoView(element("photo"), element("photo-marks"));
 const diskView = new DiskView(element("disk"), element("disk-lines"), element("disk-marks"));
-const solver = new Solver(diskView, { onOutcome, onFailure, onProgress, onBroken });
+/** @type {Scheduler<import("./pipeline.js").Job, import("./pipeline.js").Result>} */
+const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), { onResult, onFailure, onProgress: showProgress, onBroken: sayBroken });
 
 const address = decode(location.hash);
 const store = new Store({ image: FIRST_PHOTO, region: photoRegion(FIRST_PHOTO) }, address.shown ?? { mesh: false, grid: false });
@@ -54,7 +55,7 @@ const controls = new Controls(store, {
     const region = outcome && upright(store.doc.region, outcome.locator);
     if (region) store.commit({ region });
   },
-  save: savePicture,
+  save: () => saveCanvas(element("disk"), "disk.png"),
 });
 
 await start();
@@ -108,9 +109,20 @@ async function onChange(change) {
   draw();
   if (solving) {
     if (document.body.dataset.state !== "loading") mark("working");
-    solver.solve(store.doc, picture, change === "drag");
+    solve(change === "drag");
   }
   if (change !== "drag" && change !== "mode") remember();
+}
+
+/** @param {boolean} dragging */
+function solve(dragging) {
+  const { region } = store.doc;
+  const fields = { boundary: flatten(region.boundary), center: region.center, toward: towardPoint(region) };
+  scheduler.run(
+    ({ tolerance, maxErrorPixels, sharpness }) => ({ ...fields, tolerance, maxErrorPixels, view: diskView.view(sharpness) }),
+    picture,
+    dragging,
+  );
 }
 
 function layOut() {
@@ -133,67 +145,23 @@ function onResize() {
   layOut();
   draw();
   clearTimeout(resizing);
-  resizing = setTimeout(() => solver.solve(store.doc, picture, false), 150);
+  resizing = setTimeout(() => solve(false), 150);
 }
 
 function remember() {
   history.replaceState(null, "", `#${encode(store.doc, store.shown)}`);
 }
 
-/** @param {Outcome} next @param {State} state */
-function onOutcome(next, state) {
-  outcome = next;
-  diskView.paint(next.result);
+/** @param {import("./pipeline.js").Result} result @param {boolean} done */
+function onResult(result, done) {
+  outcome = outcomeOf(result);
+  diskView.paint(result);
   draw();
-  say("", state);
-  if (state !== "ready") return;
-  const list = element("evidence");
-  list.replaceChildren(...rows(next.result.evidence).map(([name, value, meaning]) => evidenceRow(name, value, meaning)));
-}
-
-/** @param {string} name @param {string} value @param {string} meaning */
-function evidenceRow(name, value, meaning) {
-  const row = document.createElement("div");
-  for (const [tag, text] of [["dt", name], ["dd", value], ["dd", meaning]]) {
-    row.append(Object.assign(document.createElement(tag), { textContent: text }));
-  }
-  row.lastElementChild?.classList.add("meaning");
-  return row;
+  say("", done ? "ready" : "draft");
+  if (done) showEvidence(rows(result.evidence));
 }
 
 /** @param {import("../common/serve.js").Failure} failure */
 function onFailure(failure) {
   say(failureWords(failure, outcome !== null), "invalid");
-}
-
-/** @param {number | "begun" | null} progress */
-function onProgress(progress) {
-  const bar = /** @type {HTMLProgressElement} */ (element("progress"));
-  bar.hidden = progress === null;
-  if (typeof progress === "number" && progress < 1) bar.value = progress;
-  else bar.removeAttribute("value");
-}
-
-/** @param {string} message */
-function onBroken(message) {
-  say(`The page’s WebAssembly module could not be started: ${message}`, "failed");
-}
-
-/** @param {string} words @param {State} state */
-function say(words, state) {
-  mark(state);
-  element("notice").textContent = words;
-}
-
-/** @param {State} state */
-function mark(state) {
-  document.body.dataset.state = state;
-}
-
-async function savePicture() {
-  const blob = await diskView.toBlob();
-  if (!blob) return;
-  const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: "disk.png" });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }

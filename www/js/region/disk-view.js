@@ -9,7 +9,7 @@ import { markVector, updateVector } from "./vector.js";
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./store.js").Shown} Shown */
-/** @typedef {import("./solver.js").Outcome} Outcome */
+/** @typedef {import("./outcome.js").Outcome} Outcome */
 
 export class DiskView {
   root;
@@ -68,10 +68,5 @@ export class DiskView {
     if (!outcome) return;
     if (shown.mesh) drawMesh(drawing, outcome.result.mesh.target, outcome.edges);
     if (shown.grid) drawPolarGrid(drawing, RINGS, RAYS);
-  }
-
-  /** The picture as a PNG. @returns {Promise<Blob | null>} */
-  toBlob() {
-    return new Promise((resolve) => this.#canvas.toBlob(resolve, "image/png"));
   }
 }

@@ -10,7 +10,7 @@ import { markVector, updateVector } from "./vector.js";
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../common/images.js").Picture} Picture */
 /** @typedef {import("./store.js").Store} Store */
-/** @typedef {import("./solver.js").Outcome} Outcome */
+/** @typedef {import("./outcome.js").Outcome} Outcome */
 
 export class PhotoView {
   root;
@@ -18,6 +18,7 @@ export class PhotoView {
   frame = { center: [0, 0], width: 2, pixels: [1, 1] };
   #layer;
   #body = svg("path", { class: "body", "data-part": "body" });
+  #halo = svg("path", { class: "halo" });
   #outline = svg("path", { class: "outline" });
   #edges = svg("g", { class: "edges" });
   #vertices = svg("g", { class: "vertices" });
@@ -27,9 +28,7 @@ export class PhotoView {
   constructor(canvas, root) {
     this.root = root;
     this.#layer = new Layer(canvas);
-    const halo = svg("use", { class: "halo", href: "#outline-shape" });
-    this.#outline.id = "outline-shape";
-    root.append(this.#body, halo, this.#outline, this.#edges, this.#vertices, this.#vector);
+    root.append(this.#body, this.#halo, this.#outline, this.#edges, this.#vertices, this.#vector);
   }
 
   /** @param {Picture} picture */
@@ -69,8 +68,7 @@ export class PhotoView {
     this.root.classList.toggle("drawing", mode === "draw");
     this.root.classList.toggle("dense", boundary.length > 48);
     const data = pathData(pixels, true);
-    set(this.#body, { d: data });
-    set(this.#outline, { d: data });
+    for (const path of [this.#body, this.#halo, this.#outline]) set(path, { d: data });
     match(this.#edges, pixels, (edge) => svg("path", { "data-part": "edge", "data-index": edge }), (element, from, k) => {
       set(element, { d: pathData([from, pixels[(k + 1) % pixels.length]], false), class: wrong.edges.has(k) ? "edge wrong" : "edge" });
     });
