@@ -5,6 +5,7 @@
 //! with errors in words), [`points`] (`Float64Array` ↔ complex numbers), [`progress`] (the caller's `onProgress`),
 //! [`warp`] (the methods `warp` and `paint`), [`overlay`] (the method `overlay`).
 
+pub mod cortex;
 pub mod error;
 pub mod formula;
 pub mod mesh;

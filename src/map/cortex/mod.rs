@@ -22,6 +22,7 @@ mod half_disk;
 mod mirrored;
 mod model;
 mod retino_cortical;
+mod visual_cortex;
 
 pub use field::{Degrees, FieldPoint};
 pub use gaze::Gaze;
@@ -29,3 +30,4 @@ pub use half_disk::HalfDiskMap;
 pub use mirrored::Mirrored;
 pub use model::CorticalModel;
 pub use retino_cortical::{Landmark, RetinoCorticalMap};
+pub use visual_cortex::{CorticalImage, Hemisphere, VisualCortex};

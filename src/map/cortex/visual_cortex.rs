@@ -1,0 +1,132 @@
+//! V1 of one hemisphere, whichever way its map was made.
+
+use super::{CorticalModel, Degrees, Gaze, Mirrored, RetinoCorticalMap};
+use crate::map::{Compose, Inverse, InvertibleMap, Jet, PlaneMap};
+use crate::plane::Complex64;
+use std::fmt;
+use std::rc::Rc;
+
+/// The two halves of the brain. Each sees the opposite half of the visual field.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
+pub enum Hemisphere {
+    /// Sees the right half of the field.
+    #[default]
+    Left,
+    /// Sees the left half: the mirror image of the other.
+    Right,
+}
+
+/// Visual field → V1: E·e^{iθ} in degrees to the cortex plane in millimetres.
+#[derive(Clone)]
+pub struct VisualCortex {
+    map: Rc<dyn InvertibleMap>,
+    hemisphere: Hemisphere,
+}
+
+/// Cortex → picture: what each point of the cortex sees. A warp that pulls back by it draws the cortical image.
+pub type CorticalImage = Compose<Inverse<Gaze>, Compose<Inverse<Degrees>, Inverse<VisualCortex>>>;
+
+impl VisualCortex {
+    /// By a closed formula.
+    #[must_use]
+    pub fn from_model(model: CorticalModel, hemisphere: Hemisphere) -> Self {
+        Self::of_left(model, hemisphere)
+    }
+
+    /// By the conformal map of an outline, which is that of a left hemisphere.
+    #[must_use]
+    pub fn from_outline<M: InvertibleMap + 'static>(map: RetinoCorticalMap<M>, hemisphere: Hemisphere) -> Self {
+        Self::of_left(Compose { outer: map, inner: Degrees.inverted() }, hemisphere)
+    }
+
+    fn of_left(map: impl InvertibleMap + 'static, hemisphere: Hemisphere) -> Self {
+        let map: Rc<dyn InvertibleMap> = match hemisphere {
+            Hemisphere::Left => Rc::new(map),
+            Hemisphere::Right => Rc::new(Mirrored(map)),
+        };
+        Self { map, hemisphere }
+    }
+
+    /// Which half of the brain it is.
+    #[must_use]
+    pub fn hemisphere(&self) -> Hemisphere {
+        self.hemisphere
+    }
+
+    /// Cortical magnification at points of the field, in mm per degree: the largest over all directions.
+    #[must_use]
+    pub fn magnification(&self, field: &[Complex64]) -> Vec<f64> {
+        let mut jets = vec![Jet::UNDEFINED; field.len()];
+        self.jets(field, &mut jets);
+        jets.iter().map(Jet::stretch).collect()
+    }
+
+    /// What this cortex sees of a picture through an eye.
+    #[must_use]
+    pub fn seeing(&self, gaze: Gaze) -> CorticalImage {
+        let field = Compose { outer: Degrees.inverted(), inner: self.clone().inverted() };
+        Compose { outer: gaze.inverted(), inner: field }
+    }
+}
+
+impl fmt::Debug for VisualCortex {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        out.debug_struct("VisualCortex").field("hemisphere", &self.hemisphere).finish_non_exhaustive()
+    }
+}
+
+impl PlaneMap for VisualCortex {
+    fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
+        self.map.jets(points, jets);
+    }
+}
+
+impl InvertibleMap for VisualCortex {
+    fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
+        self.map.inverse_jets(points, jets);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::map::cortex::FieldPoint;
+    use crate::plane::Frame;
+
+    fn values(map: &impl PlaneMap, points: &[Complex64]) -> Vec<Complex64> {
+        let mut jets = vec![Jet::UNDEFINED; points.len()];
+        map.jets(points, &mut jets);
+        jets.iter().map(|jet| jet.value).collect()
+    }
+
+    #[test]
+    fn each_hemisphere_sees_the_opposite_half() {
+        let [left, right] = [Hemisphere::Left, Hemisphere::Right]
+            .map(|hemisphere| VisualCortex::from_model(CorticalModel::POLIMENI_2006, hemisphere));
+        let seen = [Complex64::new(10.0, 4.0), Complex64::new(-10.0, 4.0)];
+        let (by_left, by_right) = (values(&left, &seen), values(&right, &seen));
+        assert!(by_left[0].re > 0.0 && by_left[1].is_nan());
+        assert!(by_right[0].is_nan());
+        assert_eq!(by_right[1], Complex64::new(-by_left[0].re, by_left[0].im));
+        let expected = CorticalModel::POLIMENI_2006.magnification(10.0);
+        assert!((right.magnification(&[Complex64::new(-10.0, 0.0)])[0] - expected).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_point_of_the_cortex_sees_what_lies_in_its_direction() {
+        let frame = Frame::new(Complex64::ZERO, 2.0, [600, 400]).unwrap();
+        let gaze = Gaze::new(&frame, 60.0, Complex64::new(0.2, 0.1)).unwrap();
+        let cortex = VisualCortex::from_model(CorticalModel::SCHIRA_2010, Hemisphere::Left);
+        let picture = [Complex64::new(0.5, 0.3), Complex64::new(0.21, 0.1), Complex64::new(0.9, -0.6)];
+        let field: Vec<Complex64> = picture
+            .iter()
+            .map(|&point| gaze.direction(point))
+            .map(|FieldPoint { eccentricity, azimuth }| Complex64::from_polar(eccentricity, azimuth.to_radians()))
+            .collect();
+        let seen = values(&cortex.seeing(gaze), &values(&cortex, &field));
+        for (point, seen) in picture.iter().zip(seen) {
+            assert!((point - seen).norm() < 1e-12, "{point} is seen as {seen}");
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! `RetinoCorticalMap` and `CorticalImage` in JavaScript.
+
+use super::error::Failure;
+use super::options::{self, FrameOptions, Point};
+use super::overlay::{self, OverlayOptions};
+use super::points;
+use super::texture::Texture;
+use super::warp::{self, DrawOptions, PaintContext};
+use crate::map::cortex::{self, CorticalModel, Gaze, Hemisphere, VisualCortex};
+use crate::map::{InvertibleMap, Jet, PlaneMap};
+use crate::plane::Frame;
+use crate::warp::Direction;
+use js_sys::Uint8ClampedArray;
+use serde::Deserialize;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// A closed formula for the cortex: monopole without `b`, dipole with it, wedge-dipole with `shear` too.
+#[derive(Debug, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct CorticalModelOptions {
+    /// Scale in millimetres.
+    pub k: f64,
+    /// Where the map turns from linear to logarithmic, in degrees.
+    pub a: f64,
+    /// Where the periphery is compressed once more, in degrees; without it the model is a monopole.
+    #[tsify(optional)]
+    pub b: Option<f64>,
+    /// The factor by which azimuths are sheared first, 1 by default. Otherwise the map is not conformal.
+    #[tsify(optional)]
+    pub shear: Option<f64>,
+    /// The largest eccentricity, in degrees; 90 by default.
+    #[tsify(optional)]
+    pub extent: Option<f64>,
+    /// Scales the model to this area in mm², whatever `k` is.
+    #[tsify(optional)]
+    pub area: Option<f64>,
+    /// "left" (the default) sees the right half of the field, "right" the left half.
+    #[serde(default)]
+    #[tsify(optional)]
+    pub hemisphere: Hemisphere,
+}
+
+impl CorticalModelOptions {
+    fn model(&self) -> crate::Result<CorticalModel> {
+        let shear = self.shear.unwrap_or(1.0);
+        let model = CorticalModel::wedge_dipole(self.k, self.a, self.b.unwrap_or(f64::INFINITY), shear)?;
+        let model = self.extent.map_or(Ok(model), |extent| model.up_to(extent))?;
+        self.area.map_or(Ok(model), |area| model.with_area(area))
+    }
+}
+
+/// An eye before a picture.
+#[derive(Debug, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct GazeOptions {
+    /// Where the picture lies in its plane.
+    pub picture: FrameOptions,
+    /// The angle that the picture's width spans, in degrees.
+    pub field_of_view: f64,
+    /// The point of the picture's plane that is fixated.
+    pub fixation: Point,
+}
+
+/// The map visual field → V1 of one hemisphere. Points of the field are E·e^{iθ} in degrees, `[x0, y0, x1, y1, …]` with x to
+/// the right and y up as the eye sees them; points of the cortex are in millimetres.
+#[derive(Debug)]
+#[wasm_bindgen]
+pub struct RetinoCorticalMap(VisualCortex);
+
+#[wasm_bindgen]
+impl RetinoCorticalMap {
+    /// The map of a closed formula, the fovea at 0: k log((z + a)/(z + b)) + k log(b/a), or k log((z + a)/a).
+    ///
+    /// Throws "invalid-map" or "invalid-option".
+    pub fn model(options: Ts<CorticalModelOptions>) -> Result<Self, Failure> {
+        let options = options::read(&options)?;
+        Ok(Self(VisualCortex::from_model(options.model()?, options.hemisphere)))
+    }
+
+    /// Visual field → cortex; NaN in the other half of the field.
+    #[wasm_bindgen(js_name = toCortex)]
+    pub fn to_cortex(&self, field: &[f64]) -> Result<Vec<f64>, Failure> {
+        let field = points::from_flat("The points", field)?;
+        Ok(values(field.len(), |jets| self.0.jets(&field, jets)))
+    }
+
+    /// Cortex → visual field; NaN outside V1.
+    #[wasm_bindgen(js_name = toField)]
+    pub fn to_field(&self, cortex: &[f64]) -> Result<Vec<f64>, Failure> {
+        let cortex = points::from_flat("The points", cortex)?;
+        Ok(values(cortex.len(), |jets| self.0.inverse_jets(&cortex, jets)))
+    }
+
+    /// Cortical magnification at points of the field, in mm per degree.
+    pub fn magnification(&self, field: &[f64]) -> Result<Vec<f64>, Failure> {
+        Ok(self.0.magnification(&points::from_flat("The points", field)?))
+    }
+
+    /// What this cortex sees of a picture.
+    ///
+    /// Throws "invalid-option" or "invalid-frame".
+    pub fn seeing(&self, gaze: Ts<GazeOptions>) -> Result<CorticalImage, Failure> {
+        let GazeOptions { picture, field_of_view, fixation } = options::read(&gaze)?;
+        let picture: Frame = picture.try_into()?;
+        Ok(CorticalImage(self.0.seeing(Gaze::new(&picture, field_of_view, fixation.into())?)))
+    }
+
+    /// Rings and rays of the visual field, or another drawing of the map cortex → field in degrees, over a view of the
+    /// cortex.
+    ///
+    /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
+    pub fn overlay(&self, options: Ts<OverlayOptions>) -> Result<Uint8ClampedArray, Failure> {
+        overlay::draw(&self.0.clone().inverted(), &options)
+    }
+}
+
+/// What a cortex sees of a picture: the map cortex → picture.
+#[derive(Debug)]
+#[wasm_bindgen]
+pub struct CorticalImage(cortex::CorticalImage);
+
+#[wasm_bindgen]
+impl CorticalImage {
+    /// The picture on the cortex: RGBA bytes with straight alpha; `out`, filled, if it was given. The view is a frame of
+    /// the cortex in millimetres.
+    ///
+    /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
+    pub fn warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
+        warp::warp(&self.0, Direction::PullBack, texture, &options)
+    }
+
+    /// `warp`, onto a canvas.
+    ///
+    /// Throws as `warp` does, and what the context throws.
+    pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
+        warp::paint(&self.0, Direction::PullBack, context, texture, &options)
+    }
+
+    /// Cortex → picture, point by point `[x0, y0, x1, y1, …]`; NaN outside V1.
+    #[wasm_bindgen(js_name = toPicture)]
+    pub fn to_picture(&self, cortex: &[f64]) -> Result<Vec<f64>, Failure> {
+        let cortex = points::from_flat("The points", cortex)?;
+        Ok(values(cortex.len(), |jets| self.0.jets(&cortex, jets)))
+    }
+}
+
+fn values(count: usize, fill: impl FnOnce(&mut [Jet])) -> Vec<f64> {
+    let mut jets = vec![Jet::UNDEFINED; count];
+    fill(&mut jets);
+    jets.iter().flat_map(|jet| [jet.value.re, jet.value.im]).collect()
+}

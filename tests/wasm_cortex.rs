@@ -1,0 +1,50 @@
+//! `RetinoCorticalMap` as JavaScript sees it. Runs in Node.
+#![cfg(target_arch = "wasm32")]
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+use conformal_warp::wasm::cortex::{CorticalModelOptions, GazeOptions, RetinoCorticalMap};
+use conformal_warp::wasm::texture::{Texture, TextureOptions};
+use conformal_warp::wasm::warp::DrawOptions;
+use js_sys::Reflect;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::JsValue;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+fn object<T: Tsify>(fields: &str) -> Ts<T> {
+    Ts::new_unchecked(js_sys::eval(&format!("({{ {fields} }})")).unwrap())
+}
+
+fn model(fields: &str) -> Result<RetinoCorticalMap, JsValue> {
+    RetinoCorticalMap::model(object::<CorticalModelOptions>(fields)).map_err(JsValue::from)
+}
+
+#[wasm_bindgen_test]
+fn models_map_both_ways() {
+    let map = model("k: 15, a: 0.69, b: 80, hemisphere: 'right'").unwrap();
+    let cortex = map.to_cortex(&[-10.0, 3.0, 10.0, 3.0]).unwrap();
+    assert!(cortex[0] < -30.0 && cortex[1] > 0.0 && cortex[2].is_nan());
+    let field = map.to_field(&cortex[..2]).unwrap();
+    assert!((field[0] + 10.0).abs() < 1e-12 && (field[1] - 3.0).abs() < 1e-12, "{field:?}");
+    let expected = 15.0 / 10.69 - 15.0 / 90.0;
+    assert!((map.magnification(&[-10.0, 0.0]).unwrap()[0] - expected).abs() < 1e-12);
+    let code = |fields: &str| Reflect::get(&model(fields).unwrap_err(), &"code".into()).unwrap();
+    assert_eq!((code("k: 15, a: 80, b: 1"), code("k: 15")), ("invalid-map".into(), "invalid-option".into()));
+    assert!(model("k: 1, a: 0.8, extent: 60, area: 1000, shear: 0.9").is_ok());
+}
+
+#[wasm_bindgen_test]
+fn a_picture_is_warped_onto_the_cortex() {
+    let map = model("k: 15, a: 0.69, b: 80").unwrap();
+    let frame = "{ center: [0, 0], width: 2, pixels: [8, 8] }";
+    let gaze = object::<GazeOptions>(&format!("picture: {frame}, fieldOfView: 60, fixation: [0, 0]"));
+    let image = map.seeing(gaze).unwrap();
+    let texture = Texture::new(&[90, 120, 150, 255].repeat(64), 8, 8, None::<Ts<TextureOptions>>).unwrap();
+    let view = "{ center: [30, 0], width: 90, pixels: [90, 90] }";
+    let options = object::<DrawOptions>(&format!("texture: {frame}, view: {view}"));
+    let rgba = image.warp(&texture, options).unwrap().to_vec();
+    // 30° to the right the picture ends; the fovea lies at 0.
+    let at = |x: usize| rgba[4 * (45 * 90 + x) + 3];
+    assert_eq!((at(5), at(20), at(60), at(85)), (0, 255, 255, 0));
+    let seen = image.to_picture(&map.to_cortex(&[30.0, 0.0]).unwrap()).unwrap();
+    assert!((seen[0] - 1.0).abs() < 1e-12 && seen[1].abs() < 1e-12, "{seen:?}");
+}
