@@ -6,6 +6,7 @@ mod formula;
 mod inverse;
 mod moebius;
 mod riemann;
+mod solved;
 
 pub use compose::Compose;
 pub use formula::FormulaMap;

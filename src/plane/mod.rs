@@ -4,8 +4,10 @@ mod edge_tree;
 mod frame;
 mod polygon;
 mod region;
+mod smooth_curve;
 
 pub use frame::Frame;
 pub use num_complex::Complex64;
 pub use polygon::{BoundaryPoint, Polygon};
 pub use region::{Curve, Region};
+pub use smooth_curve::SmoothCurve;

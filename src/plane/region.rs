@@ -1,7 +1,8 @@
 //! A simply connected region with the point and direction that make its Riemann map unique.
 
-use super::{BoundaryPoint, Complex64, Polygon};
+use super::{BoundaryPoint, Complex64, Polygon, SmoothCurve};
 use crate::{Error, Result};
+use std::sync::Arc;
 
 /// How the boundary points are joined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -10,6 +11,8 @@ pub enum Curve {
     /// By straight edges.
     #[default]
     Polygon,
+    /// By the trigonometric interpolant: a smooth curve through points that follow it evenly.
+    Smooth,
 }
 
 /// A region bounded by a simple closed curve, a `center` inside it and a `toward` point on its boundary.
@@ -18,7 +21,7 @@ pub enum Curve {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
     polygon: Polygon,
-    curve: Curve,
+    smooth: Option<Arc<SmoothCurve>>,
     center: Complex64,
     toward: BoundaryPoint,
 }
@@ -38,17 +41,26 @@ impl Region {
     /// [`Error::NotFinite`], [`Error::TooFewVertices`] and [`Error::SelfIntersecting`] for the boundary;
     /// [`Error::CenterOutside`] unless `center` is strictly inside.
     pub fn new(boundary: &[Complex64], curve: Curve, center: Complex64, toward: Complex64) -> Result<Self> {
-        let polygon = Polygon::new(boundary)?;
+        let smooth = match curve {
+            Curve::Polygon => None,
+            Curve::Smooth => Some(Arc::new(SmoothCurve::new(boundary)?)),
+        };
+        let polygon = Polygon::new(smooth.as_ref().map_or(boundary, |curve| curve.points()))?;
         for (what, point) in [("The center", center), ("The point toward", toward)] {
             if !point.is_finite() {
                 return Err(Error::NotFinite { what: what.to_string() });
             }
         }
-        if !polygon.contains_strictly(center) {
+        let inside = match &smooth {
+            None => polygon.contains_strictly(center),
+            Some(curve) => curve.signed_distance(center) > 1e-12 * polygon.size(),
+        };
+        if !inside {
             return Err(Error::CenterOutside { center });
         }
-        let toward = polygon.nearest(toward);
-        Ok(Self { polygon, curve, center, toward })
+        let mut region = Self { polygon, smooth, center, toward: BoundaryPoint { edge: 0, t: 0.0, point: center } };
+        region.toward = region.nearest(toward);
+        Ok(region)
     }
 
     /// The same boundary with another center and direction.
@@ -56,7 +68,7 @@ impl Region {
     /// # Errors
     /// As [`Region::new`].
     pub fn with_center(&self, center: Complex64, toward: Complex64) -> Result<Self> {
-        Self::new(self.boundary(), self.curve, center, toward)
+        Self::new(self.boundary(), self.curve(), center, toward)
     }
 
     /// The boundary points, counter-clockwise.
@@ -65,7 +77,7 @@ impl Region {
         self.polygon.vertices()
     }
 
-    /// The boundary as a polygon.
+    /// The polygon of the boundary points: the boundary itself, unless the curve is smooth.
     #[must_use]
     pub fn polygon(&self) -> &Polygon {
         &self.polygon
@@ -74,7 +86,22 @@ impl Region {
     /// How the boundary points are joined.
     #[must_use]
     pub fn curve(&self) -> Curve {
-        self.curve
+        if self.smooth.is_some() { Curve::Smooth } else { Curve::Polygon }
+    }
+
+    /// The smooth curve through the boundary points, if that is the boundary.
+    #[must_use]
+    pub fn smooth(&self) -> Option<&Arc<SmoothCurve>> {
+        self.smooth.as_ref()
+    }
+
+    /// The boundary point nearest to `z`.
+    #[must_use]
+    pub fn nearest(&self, z: Complex64) -> BoundaryPoint {
+        match &self.smooth {
+            None => self.polygon.nearest(z),
+            Some(curve) => curve.place(curve.nearest_parameter(z)),
+        }
     }
 
     /// The point that goes to 0.
@@ -92,7 +119,7 @@ impl Region {
     /// Whether `z` lies in the closed region.
     #[must_use]
     pub fn contains(&self, z: Complex64) -> bool {
-        self.polygon.contains(z)
+        self.smooth.as_ref().map_or_else(|| self.polygon.contains(z), |curve| curve.contains(z))
     }
 }
 

@@ -26,6 +26,7 @@ pub mod lu;
 pub mod panel;
 pub mod potential;
 pub mod rule;
+pub mod smooth;
 pub mod solve;
 pub mod system;
 pub mod two_level;

@@ -11,7 +11,7 @@ use super::panel::{Boundary, Panel, initial_panels};
 use super::potential::LogPotential;
 use super::rule::{Order, Rules};
 use super::system::{System, SystemSolution};
-use crate::plane::{Complex64, Region};
+use crate::plane::{BoundaryPoint, Complex64, Region};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -74,6 +74,59 @@ impl Solution {
     #[must_use]
     pub fn discretisation(&self) -> &Discretisation {
         &self.system.discretisation
+    }
+
+    /// Measure from vertex 0 to a boundary point.
+    #[must_use]
+    pub fn measure_at(&self, point: BoundaryPoint) -> f64 {
+        let discretisation = self.discretisation();
+        let length = discretisation.boundary.lengths[point.edge];
+        let (from_start, from_end) = (point.t * length, (1.0 - point.t) * length);
+        let panels = self.correspondence.panels_of_edge(point.edge);
+        let last = panels.end - 1;
+        for q in panels {
+            let panel = &discretisation.panels[q];
+            let s = if panel.outgoing { from_start } else { from_end };
+            let within = if panel.outgoing { s <= panel.end } else { s >= panel.start };
+            if within || q == last {
+                return self.correspondence.measure(discretisation, q, panel.tau_at(s));
+            }
+        }
+        0.0
+    }
+
+    /// Measure from vertex 0 → the edge and the share of it where that is reached.
+    #[must_use]
+    pub fn locate(&self, measure: f64) -> (usize, f64) {
+        let discretisation = self.discretisation();
+        let (q, tau) = self.correspondence.locate(discretisation, measure);
+        let panel = &discretisation.panels[q];
+        let share = panel.distance_at(tau) / discretisation.boundary.lengths[panel.edge];
+        (panel.edge, if panel.outgoing { share } else { 1.0 - share })
+    }
+
+    /// Region → disk (vertex 0 ↦ 1) for a point inside, given the boundary point nearest to it (both in plane units).
+    #[must_use]
+    pub fn to_disk(&self, nearest: BoundaryPoint, z: Complex64) -> Complex64 {
+        let scaled = z * self.discretisation().boundary.unit;
+        self.beside_corner(nearest, scaled)
+            .unwrap_or_else(|| self.potential.map(self.discretisation(), self.center, scaled))
+    }
+
+    /// f very near a corner, where the boundary correspondence continued analytically is more accurate than quadrature.
+    fn beside_corner(&self, nearest: BoundaryPoint, scaled: Complex64) -> Option<Complex64> {
+        let discretisation = self.discretisation();
+        let panels = self.correspondence.panels_of_edge(nearest.edge);
+        let q = if nearest.t <= 0.5 { panels.start } else { panels.end - 1 };
+        let panel = &discretisation.panels[q];
+        let local = discretisation.local_of(q, scaled);
+        if local.norm() >= discretisation.rules[q].blind_radius() {
+            return None;
+        }
+        // Measured from an edge that ends at the corner, the region lies clockwise; the branch cut lies outside either way.
+        let tau = local.powf(1.0 / panel.exponent);
+        let measure = self.correspondence.complex_measure(discretisation, q, tau);
+        Some((Complex64::i() * TAU * measure).exp())
     }
 }
 
@@ -213,20 +266,20 @@ fn adapt(
     loop {
         let outcome = system.solve(center, ITERATION_SHARE * acceptable, guess.take(), progress)?;
         let residual = outcome.residual();
-        let mut error_estimate = estimate_of(&outcome);
-        if error_estimate < CHECK_ROUNDING_BELOW {
-            error_estimate += NOISE * system.noise_amplification(progress)?;
-        }
+        let from_residual = estimate_of(&outcome);
+        let from_noise =
+            if from_residual < CHECK_ROUNDING_BELOW { NOISE * system.noise_amplification(progress)? } else { 0.0 };
+        let error_estimate = from_residual + from_noise;
         let discretisation = &system.discretisation;
         let panels = refine(&discretisation.panels, &outcome.residuals, REFINE_SHARE * acceptable);
+        let at_rounding =
+            residual > 0.5 * previous_residual && residual < STAGNATION_BELOW || from_noise > from_residual;
         let stop = if error_estimate <= options.tolerance {
             Some(Stop::Tolerance)
+        } else if at_rounding || panels.len() == discretisation.panels.len() {
+            Some(Stop::Stagnation)
         } else if panels.len() * rules.order.p() > options.max_unknowns {
             Some(Stop::MaxUnknowns)
-        } else if panels.len() == discretisation.panels.len()
-            || (residual > 0.5 * previous_residual && residual < STAGNATION_BELOW)
-        {
-            Some(Stop::Stagnation)
         } else {
             None
         };

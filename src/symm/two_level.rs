@@ -134,9 +134,9 @@ struct Layout {
 }
 
 /// Groups nearer than this share of their radii's sum are solved together: the two walls of a slot.
-const NEAR: f64 = 0.5;
+const NEAR: f64 = 0.75;
 /// Neighbours beyond the two along the boundary.
-const MOST_NEIGHBOURS: usize = 3;
+const MOST_NEIGHBOURS: usize = 2;
 
 impl Layout {
     fn new(discretisation: &Discretisation, ranges: &[Range<usize>], shares: &[f64]) -> Self {

@@ -42,3 +42,20 @@ fn thetas(q: f64) -> (f64, f64) {
     let theta3: f64 = 1.0 + 2.0 * (1..30).map(|n| q.powi(n * n)).sum::<f64>();
     (theta2, theta3)
 }
+
+/// The map of the ellipse with semi-axes a > b, 0 ↦ 0, a ↦ 1: √k·sn((2K/π) asin(z/c)) = θ₁(asin(z/c))/θ₄(asin(z/c)).
+pub fn ellipse(a: f64, b: f64, z: Complex64) -> Complex64 {
+    let q = ((a - b) / (a + b)).powi(2);
+    let v = (z / (a * a - b * b).sqrt()).asin();
+    let mut theta1 = Complex64::ZERO;
+    let mut theta4 = Complex64::new(1.0, 0.0);
+    for n in 0..40 {
+        let sign = if n % 2 == 0 { 2.0 } else { -2.0 };
+        let order = f64::from(n);
+        theta1 += (v * (2.0 * order + 1.0)).sin() * (sign * q.powf((order + 0.5).powi(2)));
+        if n > 0 {
+            theta4 += (v * (2.0 * order)).cos() * (sign * q.powi(n * n));
+        }
+    }
+    theta1 / theta4
+}

@@ -2,6 +2,8 @@
 #![allow(dead_code, missing_docs, clippy::unwrap_used)]
 
 pub mod exact;
+pub mod kerzman_stein;
+pub mod schwarz_christoffel;
 
 use conformal_warp::map::{RiemannMap, SolveOptions};
 use conformal_warp::plane::{BoundaryPoint, Complex64, Curve, Region};

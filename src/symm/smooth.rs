@@ -1,0 +1,383 @@
+//! Symm's equation on a smooth closed curve: spectral accuracy from equally spaced nodes.
+//!
+//! With z(t) the curve and dμ = σ(t) dt, the kernel splits into log|2 sin((t−s)/2)|, whose action on waves is exact, and
+//! log|z(t) − z(s)| − log|2 sin((t−s)/2)|, which is smooth and left to the trapezoidal rule
+//! (R. Kress, *Linear Integral Equations*, section 12.3).
+
+use super::lu::Lu;
+use super::solve::{Progress, SolveOptions, Stop};
+use crate::plane::{Complex64, SmoothCurve};
+use crate::{Error, Result};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// The curve sampled at N nodes, with the factored equation: ready for any center.
+#[derive(Debug)]
+pub struct SmoothSystem {
+    /// The curve in plane units.
+    curve: Arc<SmoothCurve>,
+    /// Plane units × `unit` = units used here.
+    unit: f64,
+    /// z(2πj/N).
+    nodes: Vec<Complex64>,
+    /// z'(2πj/N).
+    tangents: Vec<Complex64>,
+    /// Points halfway between nodes, where the equation is checked.
+    checks: Vec<Complex64>,
+    /// Entries at the checks, row-major.
+    check_rows: Vec<f64>,
+    lu: Lu,
+}
+
+/// A solved smooth region.
+#[derive(Clone, Debug)]
+pub struct SmoothSolution {
+    /// The system, ready for another center.
+    pub system: Arc<SmoothSystem>,
+    center: Complex64,
+    /// Fourier coefficients σ₁ … of dμ/dt = (1 + 2 Re Σ σₖ e^{ikt})/2π.
+    waves: Vec<Complex64>,
+    /// f at the nodes, with vertex 0 at 1.
+    values: Vec<Complex64>,
+    /// df/dt at the nodes.
+    slopes: Vec<Complex64>,
+    /// Largest violation of the equation halfway between the nodes, or |c| if that is larger.
+    pub residual: f64,
+    /// Estimate of the largest error of the map.
+    pub error_estimate: f64,
+    /// Why the solve ended.
+    pub stop: Stop,
+}
+
+/// The estimate per residual, as for polygons.
+const ERROR_PER_RESIDUAL: f64 = 10.0;
+/// What rounding leaves, per node: differences of nearby nodes are only known to that.
+const ROUNDING_PER_NODE: f64 = 2e-16;
+/// Fewest nodes.
+const LEAST_NODES: usize = 64;
+/// Most nodes: a dense factorisation of this size takes seconds.
+const MOST_NODES: usize = 4096;
+
+/// Solves for `center` (plane units), doubling the nodes until the estimate meets the tolerance.
+///
+/// # Errors
+/// [`Error::Cancelled`], and [`Error::NegativeMass`] if even the most nodes allowed do not resolve the curve.
+pub fn solve_smooth(
+    curve: &Arc<SmoothCurve>,
+    center: Complex64,
+    options: &SolveOptions,
+    progress: Progress,
+) -> Result<SmoothSolution> {
+    let given = curve.points().len();
+    let mut nodes = given * LEAST_NODES.div_ceil(given);
+    let most = options.max_unknowns.min(MOST_NODES);
+    let mut previous = f64::INFINITY;
+    loop {
+        let system = Arc::new(SmoothSystem::new(Arc::clone(curve), nodes, progress)?);
+        let mut solution = system.solve(center, options.tolerance);
+        solution.stop = if solution.error_estimate <= options.tolerance {
+            Stop::Tolerance
+        } else if solution.residual > 0.5 * previous && solution.residual < 1e-10 {
+            Stop::Stagnation
+        } else if 2 * nodes > most {
+            Stop::MaxUnknowns
+        } else {
+            previous = solution.residual;
+            nodes *= 2;
+            continue;
+        };
+        let density = solution.smallest_density();
+        if density < -solution.error_estimate || !solution.residual.is_finite() {
+            return Err(Error::NegativeMass { mass: density, estimate: solution.error_estimate });
+        }
+        return Ok(solution);
+    }
+}
+
+impl SmoothSystem {
+    fn new(curve: Arc<SmoothCurve>, n: usize, progress: Progress) -> Result<Self> {
+        let unit = (-curve.outline().size().log2().round()).exp2();
+        let at = |shift: f64| move |j: usize| TAU * (j as f64 + shift) / n as f64;
+        let nodes: Vec<Complex64> = (0..n).map(at(0.0)).map(|t| curve.point(t) * unit).collect();
+        let tangents: Vec<Complex64> = (0..n).map(at(0.0)).map(|t| curve.tangent(t) * unit).collect();
+        let checks: Vec<Complex64> = (0..n).map(at(0.5)).map(|t| curve.point(t) * unit).collect();
+        let sine_weights = SineWeights::new(n);
+        let mut matrix = Vec::with_capacity((n + 1) * (n + 1));
+        let mut check_rows = Vec::with_capacity(n * n);
+        for i in 0..n {
+            for j in 0..n {
+                let apart = (i + n - j) % n;
+                let ratio =
+                    if i == j { tangents[i].norm() } else { (nodes[i] - nodes[j]).norm() / chord(2 * apart, n) };
+                matrix.push(ratio.ln() + sine_weights.at(2 * apart));
+                let ratio = (checks[i] - nodes[j]).norm() / chord(2 * apart + 1, n);
+                check_rows.push(ratio.ln() + sine_weights.at(2 * apart + 1));
+            }
+            matrix.push(1.0);
+            if i % 32 == 0 && !progress("assemble", i as f64 / n as f64) {
+                return Err(Error::Cancelled);
+            }
+        }
+        matrix.resize(matrix.len() + n, 1.0);
+        matrix.push(0.0);
+        let lu = Lu::new(n + 1, matrix);
+        Ok(Self { curve, unit, nodes, tangents, checks, check_rows, lu })
+    }
+
+    /// Number of nodes.
+    #[must_use]
+    #[expect(clippy::len_without_is_empty, reason = "a curve has nodes")]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// One more right-hand side.
+    #[must_use]
+    pub fn solve(self: &Arc<Self>, center: Complex64, tolerance: f64) -> SmoothSolution {
+        let n = self.len();
+        let center = center * self.unit;
+        let mut x: Vec<f64> = self.nodes.iter().map(|z| (z - center).norm().ln()).collect();
+        x.push(1.0);
+        self.lu.solve(&mut x);
+        let c = x.pop().unwrap_or(f64::NAN);
+        let misses = self.checks.iter().zip(self.check_rows.chunks_exact(n));
+        let residual = misses
+            .map(|(z, row)| (super::lu::dot(row, &x) + c - (z - center).norm().ln()).abs())
+            .fold(c.abs(), |worst, r| if r > worst || r.is_nan() { r } else { worst });
+        let error_estimate = ERROR_PER_RESIDUAL * residual + ROUNDING_PER_NODE * n as f64;
+        let waves = (1..n.div_ceil(2)).map(|k| wave(&x, k)).collect();
+        let mut solution = SmoothSolution {
+            system: Arc::clone(self),
+            center,
+            waves,
+            values: Vec::new(),
+            slopes: Vec::new(),
+            residual,
+            error_estimate,
+            stop: if error_estimate <= tolerance { Stop::Tolerance } else { Stop::SamePanels },
+        };
+        for (j, mass) in x.iter().enumerate() {
+            let value = Complex64::cis(TAU * solution.measure(TAU * j as f64 / n as f64));
+            solution.values.push(value);
+            solution.slopes.push(Complex64::i() * value * (mass * n as f64));
+        }
+        solution
+    }
+}
+
+impl SmoothSolution {
+    /// The curve.
+    #[must_use]
+    pub fn curve(&self) -> &SmoothCurve {
+        &self.system.curve
+    }
+
+    /// Number of unknowns.
+    #[must_use]
+    pub fn unknowns(&self) -> usize {
+        self.system.len()
+    }
+
+    /// Measure from t = 0 to t: ∫ dμ = t/2π + Σ Im(σₖ(e^{ikt} − 1))/(πk).
+    #[must_use]
+    pub fn measure(&self, t: f64) -> f64 {
+        let turn = Complex64::cis(t);
+        let mut power = Complex64::new(1.0, 0.0);
+        let mut sum = 0.0;
+        for (k, wave) in self.waves.iter().enumerate() {
+            power *= turn;
+            sum += (wave * (power - 1.0)).im / (k + 1) as f64;
+        }
+        t / TAU + sum * 2.0 / TAU
+    }
+
+    /// dμ/dt.
+    #[must_use]
+    pub fn density(&self, t: f64) -> f64 {
+        let turn = Complex64::cis(t);
+        let sum = self.waves.iter().rev().fold(Complex64::ZERO, |sum, wave| (sum + wave) * turn);
+        (1.0 + 2.0 * sum.re) / TAU
+    }
+
+    /// Measure → t in [0, 2π): the inverse of [`SmoothSolution::measure`], by Newton's method inside a bracket.
+    #[must_use]
+    pub fn parameter(&self, measure: f64) -> f64 {
+        let measure = measure.rem_euclid(1.0);
+        let (mut low, mut high) = (0.0, TAU);
+        let mut t = measure * TAU;
+        for _ in 0..100 {
+            let miss = self.measure(t) - measure;
+            if miss > 0.0 {
+                high = t;
+            } else {
+                low = t;
+            }
+            let newton = t - miss / self.density(t);
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if (next - t).abs() <= 4.0 * f64::EPSILON * t.abs() {
+                return next;
+            }
+            t = next;
+        }
+        t
+    }
+
+    /// Smallest mass between two nodes.
+    fn smallest_density(&self) -> f64 {
+        let n = self.system.len();
+        let mass = |slope: &Complex64| slope.norm();
+        let signed = |(slope, value): (&Complex64, &Complex64)| {
+            let along = (slope / (Complex64::i() * value)).re;
+            if along < 0.0 { -mass(slope) } else { along }
+        };
+        self.slopes.iter().zip(&self.values).map(signed).fold(f64::INFINITY, f64::min) / n as f64
+    }
+
+    /// Conformal radius in plane units: exp ∫ log|y − z₀| dμ.
+    #[must_use]
+    pub fn conformal_radius(&self) -> f64 {
+        let n = self.system.len() as f64;
+        let masses =
+            self.slopes.iter().zip(&self.values).map(|(slope, value)| (slope / (Complex64::i() * value)).re / n);
+        let log: f64 = masses.zip(&self.system.nodes).map(|(mass, y)| mass * (y - self.center).norm().ln()).sum();
+        log.exp() / self.system.unit
+    }
+
+    /// Region → disk with vertex 0 ↦ 1, and its derivative in plane units, for a point strictly inside.
+    ///
+    /// Cauchy's formula divided by the same formula for 1: ∑ f_j z'_j/(z_j − z) / ∑ z'_j/(z_j − z). What the trapezoidal
+    /// rule gets wrong near the curve cancels in the quotient.
+    #[must_use]
+    pub fn to_disk(&self, z: Complex64) -> (Complex64, Complex64) {
+        let (value, slope) = cauchy(&self.system.nodes, &self.system.tangents, &self.values, z * self.system.unit);
+        (value, slope * self.system.unit)
+    }
+
+    /// Disk → region, the inverse of [`SmoothSolution::to_disk`], by the same formula with the circle for the curve.
+    #[must_use]
+    pub fn from_disk(&self, w: Complex64) -> Complex64 {
+        cauchy(&self.values, &self.slopes, &self.system.nodes, w).0 / self.system.unit
+    }
+}
+
+/// The value and derivative at `z` of the function with the given values on a curve (nodes and tangents).
+fn cauchy(nodes: &[Complex64], tangents: &[Complex64], values: &[Complex64], z: Complex64) -> (Complex64, Complex64) {
+    let (mut above, mut below) = (Complex64::ZERO, Complex64::ZERO);
+    for ((node, tangent), value) in nodes.iter().zip(tangents).zip(values) {
+        if *node == z {
+            return (*value, Complex64::new(f64::NAN, f64::NAN));
+        }
+        let weight = tangent / (node - z);
+        above += value * weight;
+        below += weight;
+    }
+    let value = above / below;
+    let mut slope = Complex64::ZERO;
+    for ((node, tangent), other) in nodes.iter().zip(tangents).zip(values) {
+        let apart = node - z;
+        slope += (other - value) * tangent / (apart * apart);
+    }
+    (value, slope / below)
+}
+
+/// |2 sin| of half the parameter between two points that are `half_steps` half steps apart.
+fn chord(half_steps: usize, n: usize) -> f64 {
+    2.0 * (0.25 * TAU * half_steps as f64 / n as f64).sin().abs()
+}
+
+/// (1/N)·Σ over nodes of a wave: σₖ = Σ_j m_j e^{−ikt_j} for masses m.
+fn wave(masses: &[f64], k: usize) -> Complex64 {
+    let n = masses.len();
+    masses.iter().enumerate().map(|(j, mass)| Complex64::cis(-TAU * (j * k % n) as f64 / n as f64) * *mass).sum()
+}
+
+/// How masses at the nodes act through log|2 sin((t−s)/2)|, by the distance in half steps: the waves e^{ikt} are
+/// multiplied by −1/(2|k|).
+struct SineWeights {
+    weights: Vec<f64>,
+}
+
+impl SineWeights {
+    fn new(n: usize) -> Self {
+        let cosine: Vec<f64> = (0..2 * n).map(|j| (TAU * j as f64 / (2 * n) as f64).cos()).collect();
+        let weight = |half_steps: usize| -> f64 {
+            let mut sum = 0.0;
+            for k in 1..n.div_ceil(2) {
+                sum -= cosine[half_steps * k % (2 * n)] / k as f64;
+            }
+            if n.is_multiple_of(2) {
+                sum -= cosine[half_steps * (n / 2) % (2 * n)] / n as f64;
+            }
+            sum
+        };
+        Self { weights: (0..2 * n).map(weight).collect() }
+    }
+
+    fn at(&self, half_steps: usize) -> f64 {
+        self.weights[half_steps % self.weights.len()]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(n: usize, at: impl Fn(f64) -> Complex64) -> Arc<SmoothCurve> {
+        let points: Vec<_> = (0..n).map(|j| at(TAU * j as f64 / n as f64)).collect();
+        Arc::new(SmoothCurve::new(&points).unwrap())
+    }
+
+    fn solve(curve: &Arc<SmoothCurve>, center: Complex64, tolerance: f64) -> SmoothSolution {
+        let options = SolveOptions { tolerance, ..SolveOptions::default() };
+        solve_smooth(curve, center, &options, &mut |_, _| true).unwrap()
+    }
+
+    /// z = 2pw/((1+p) − (1−p)w²) takes the disk to an inverted ellipse.
+    #[test]
+    fn inverted_ellipse_both_ways() {
+        let p = 0.4;
+        let exact = |w: Complex64| 2.0 * p * w / ((1.0 + p) - (1.0 - p) * w * w);
+        // Points on it that are not images of equally spaced angles: |1/z| runs over an ellipse.
+        let outline = curve(160, |t| 1.0 / Complex64::new(t.cos() / 1.0, -t.sin() / p));
+        let solution = solve(&outline, Complex64::ZERO, 1e-12);
+        assert_eq!(solution.stop, Stop::Tolerance);
+        for radius in [0.1, 0.7, 0.99, 0.999_999] {
+            for t in [0.0, 0.4, 1.9, 3.5] {
+                let w = Complex64::from_polar(radius, t);
+                let (value, slope) = solution.to_disk(exact(w));
+                assert!((value - w).norm() < 1e-12, "{w}: {value}");
+                assert!((solution.from_disk(w) - exact(w)).norm() < 1e-12);
+                let h = 1e-5;
+                let difference =
+                    (solution.to_disk(exact(w) + h * 0.1).0 - solution.to_disk(exact(w) - h * 0.1).0) / (0.2 * h);
+                if radius < 0.9 {
+                    assert!((slope - difference).norm() < 1e-8, "{w}: {slope} {difference}");
+                }
+            }
+        }
+        assert!((solution.conformal_radius() - 2.0 * p / (1.0 + p)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn measure_and_parameter_are_inverse() {
+        let solution = solve(&curve(100, |t| Complex64::new(2.0 * t.cos(), t.sin())), Complex64::new(0.7, 0.3), 1e-11);
+        for t in [0.0, 0.1, 1.0, 2.5, 6.2] {
+            assert!((solution.parameter(solution.measure(t)) - t).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn estimate_brackets_the_error_of_a_coarse_curve() {
+        let fine = curve(30, |t| Complex64::new(3.0 * t.cos(), t.sin()));
+        let reference = solve(&fine, Complex64::new(1.5, 0.0), 1e-13);
+        for nodes in [60, 90, 120, 150] {
+            let system = Arc::new(SmoothSystem::new(Arc::clone(&fine), nodes, &mut |_, _| true).unwrap());
+            let solution = system.solve(Complex64::new(1.5, 0.0), 1e-13);
+            let on_curve =
+                (0..50).map(|j| f64::from(j) * 0.12).map(|t| TAU * (solution.measure(t) - reference.measure(t)).abs());
+            let error = on_curve.fold(solution.residual, f64::max);
+            let ratio = solution.error_estimate / error;
+            assert!((1.0..100.0).contains(&ratio), "{nodes} nodes: error {error:e}, ratio {ratio}");
+        }
+    }
+}
