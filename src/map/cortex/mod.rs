@@ -21,6 +21,7 @@ mod gaze;
 mod half_disk;
 mod mirrored;
 mod model;
+mod outline;
 mod retino_cortical;
 mod visual_cortex;
 

@@ -1,5 +1,6 @@
 //! Closed formulas for the map from visual field to V1.
 
+use super::outline::polygon;
 use crate::map::{InvertibleMap, Jet, PlaneMap};
 use crate::plane::Complex64;
 use crate::{Error, Result};
@@ -116,30 +117,34 @@ impl CorticalModel {
     #[must_use]
     pub fn area_within(&self, eccentricity: f64) -> f64 {
         // Polygons of n edges err by n⁻², which the second one removes.
-        let area = |n| twice_area(&self.rim(eccentricity, n)) / 2.0;
+        let rim = self.rim(eccentricity);
+        let area = |n: usize| {
+            let points = rim.iter().flat_map(|arc| (0..n).map(move |k| arc(k as f64 / n as f64)));
+            twice_area(&points.collect::<Vec<_>>()) / 2.0
+        };
         let (coarse, fine) = (area(400), area(800));
         fine + (fine - coarse) / 3.0
     }
 
-    /// The image of the hemifield's rim as a polygon of 3n vertices, counter-clockwise in millimetres: n along the lower
-    /// vertical meridian, n along the periphery, n along the upper vertical meridian, the fovea first.
+    /// The image of the hemifield's rim as a polygon of so many vertices (6 at least), counter-clockwise in millimetres
+    /// from the fovea, all edges equally close to the curve.
     #[must_use]
-    pub fn outline(&self, n: usize) -> Vec<Complex64> {
-        self.rim(self.extent, n)
+    pub fn outline(&self, vertices: usize) -> Vec<Complex64> {
+        let [below, around, above] = self.rim(self.extent);
+        polygon(&[&below, &around, &above], vertices.max(6))
     }
 
-    fn rim(&self, eccentricity: f64, n: usize) -> Vec<Complex64> {
+    /// The images of the lower vertical meridian, the periphery and the upper vertical meridian, from the fovea and back.
+    fn rim(&self, eccentricity: f64) -> [Box<dyn Fn(f64) -> Complex64 + '_>; 3] {
         // Even steps of log(E + a), which is how the cortex counts.
         let steps = (1.0 + eccentricity / self.a).ln();
-        let meridian = |side: f64, k: usize| {
-            let radius = self.a * (steps * k as f64 / n as f64).exp_m1();
-            Complex64::new(0.0, side * radius)
-        };
-        let periphery = |k: usize| Complex64::from_polar(eccentricity, FRAC_PI_2 * (2.0 * k as f64 / n as f64 - 1.0));
-        let below = (0..n).map(|k| meridian(-1.0, k));
-        let around = (0..n).map(periphery);
-        let above = (0..n).map(|k| meridian(1.0, n - k));
-        below.chain(around).chain(above).map(|z| self.forward(z).value).collect()
+        let meridian = move |t: f64| (self.a * (steps * t).exp_m1()).min(eccentricity);
+        let image = |z: Complex64| self.forward(z).value;
+        [
+            Box::new(move |t| image(Complex64::new(0.0, -meridian(t)))),
+            Box::new(move |t| image(Complex64::from_polar(eccentricity, FRAC_PI_2 * (2.0 * t - 1.0)))),
+            Box::new(move |t| image(Complex64::new(0.0, meridian(1.0 - t)))),
+        ]
     }
 
     fn forward(&self, z: Complex64) -> Jet {
