@@ -63,3 +63,27 @@ fn a_graded_mesh_keeps_its_bound() {
     let worst = map.to_disk(&points).iter().zip(&affine).map(|(w, v)| (w - v).norm()).fold(0.0, f64::max);
     assert!(worst < 0.4 * frame.pixel_size(), "{} pixels", worst / frame.pixel_size());
 }
+
+#[test]
+fn where_the_map_is_smooth_the_error_falls_as_the_square_of_the_spacing() {
+    let map = solved("sc_6_102");
+    let rms = |across: f64| {
+        let options = MeshOptions::with_spacing(spacing_of(&map, across));
+        let mesh = JointTriangulation::region_to_disk(&map, &options).unwrap();
+        let middle =
+            |points: &[Complex64], t: &[u32; 3]| t.iter().map(|&k| points[k as usize]).sum::<Complex64>() / 3.0;
+        let (points, affine): (Vec<_>, Vec<_>) = mesh
+            .triangles()
+            .iter()
+            .map(|t| (middle(mesh.source(), t), middle(mesh.target(), t)))
+            .filter(|(_, w)| w.norm() < 0.7)
+            .unzip();
+        let sum: f64 = map.to_disk(&points).iter().zip(&affine).map(|(w, v)| (w - v).norm_sqr()).sum();
+        (sum / points.len() as f64).sqrt()
+    };
+    let errors = [12.0, 24.0, 48.0].map(rms);
+    for pair in errors.windows(2) {
+        let order = (pair[0] / pair[1]).log2();
+        assert!((order - 2.0).abs() < 0.25, "order {order}, errors {errors:?}");
+    }
+}

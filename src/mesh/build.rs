@@ -2,16 +2,22 @@
 
 use super::density::{Middles, first_spacing};
 use super::draft::Draft;
-use super::options::{Density, MeshOptions};
+use super::inverse::Inverted;
+use super::locate::Located;
+use super::options::{Density, MeshOptions, Route};
 use super::side::{Side, UnitDisk};
-use super::{JointTriangulation, scan};
-use crate::Result;
+use super::{JointTriangulation, net, scan};
 use crate::map::RiemannMap;
-use crate::plane::Polygon;
+use crate::plane::{Complex64, Polygon};
+use crate::{Error, Result};
+use std::collections::HashMap;
 use std::f64::consts::PI;
 
 /// Samples keep this share of the spacing away from the boundary, where its own nodes are.
-const CLEARANCE: f64 = 0.4;
+pub(super) const CLEARANCE: f64 = 0.4;
+
+/// A point of the net keeps this share of its distance from the boundary away from samples.
+const APART: f64 = 0.6;
 
 impl JointTriangulation {
     /// Region → disk: the nodes of the region and their images under its Riemann map.
@@ -35,11 +41,53 @@ impl JointTriangulation {
     pub fn region_to_disk(map: &RiemannMap, options: &MeshOptions) -> Result<Self> {
         between(map, &UnitDisk, options)
     }
+
+    /// How far the nodes of the target are from where the maps put those of the source.
+    fn largest_difference(&self, from: &dyn Side, to: &dyn Side) -> f64 {
+        let exact = to.to_region(&from.to_disk(&self.source));
+        let distances = exact.iter().zip(&self.target).map(|(z, w)| (z - w).norm());
+        distances.filter(|distance| distance.is_finite()).fold(0.0, f64::max)
+    }
+
+    /// Region → region through the disk: center goes to center, `toward` to `toward`, and each outline to the other.
+    ///
+    /// # Errors
+    /// As [`JointTriangulation::region_to_disk`].
+    pub fn region_to_region(from: &RiemannMap, to: &RiemannMap, options: &MeshOptions) -> Result<Self> {
+        options.check()?;
+        let [source, target] = [from, to].map(|map| map.region().polygon().area());
+        let spacing = match options.density {
+            Density::Spacing(spacing) => spacing * (target / source).sqrt(),
+            Density::MaxError { .. } => target.sqrt() / 60.0,
+        };
+        let from = &Inverted::new(from, spacing * (source / target).sqrt())?;
+        let exact = Inverted::new(to, spacing)?;
+        match options.route {
+            Route::Exact => between(from, &exact, options),
+            Route::Located => {
+                let located = Located::sampled(to, spacing)?;
+                let mut mesh = between(from, &located, options)?;
+                mesh.evidence.route_difference = mesh.largest_difference(from, &exact);
+                Ok(mesh)
+            }
+        }
+    }
 }
 
-/// Source → target by the paper's method "with boundaries", for any two copies.
+/// Source → target by the paper's method "with boundaries", for any two copies. Where the target has pockets that the
+/// source cannot show, the target is triangulated first instead.
 pub(super) fn between(source: &dyn Side, target: &dyn Side, options: &MeshOptions) -> Result<JointTriangulation> {
     options.check()?;
+    match build(source, target, options) {
+        Err(Error::Crowded { at }) => match build(target, source, options) {
+            Ok(mesh) => Ok(mesh.inverse()),
+            Err(_) => Err(Error::Crowded { at }),
+        },
+        other => other,
+    }
+}
+
+fn build(source: &dyn Side, target: &dyn Side, options: &MeshOptions) -> Result<JointTriangulation> {
     let area = source.polygon().map_or(PI, Polygon::area);
     let mut middles = Middles::default();
     let mut draft;
@@ -62,8 +110,32 @@ impl<'a> Draft<'a> {
         if let Some(polygon) = source.polygon() {
             let samples = scan::fill(polygon, source.center(), spacing, CLEARANCE * spacing)?;
             draft.add_inner(&samples);
+            let angles: Vec<_> = draft.ring.iter().map(|(_, node)| node.angle).collect();
+            draft.add_net(&net::over(&angles, draft.trust()), spacing);
         }
         Ok(draft)
+    }
+
+    /// Adds points of the disk with their places in both copies, except those that samples `spacing` apart stand in for.
+    fn add_net(&mut self, points: &[Complex64], spacing: f64) {
+        let cell = |z: Complex64| [z.re, z.im].map(|x| (x / spacing).floor() as i64);
+        let samples: HashMap<_, _> = self.source[self.ring.len()..].iter().map(|&z| (cell(z), z)).collect();
+        let near = |z: Complex64, reach: f64| {
+            let [i, j] = cell(z);
+            (i - 1..=i + 1)
+                .flat_map(|i| (j - 1..=j + 1).map(move |j| [i, j]))
+                .any(|cell| samples.get(&cell).is_some_and(|sample| (sample - z).norm() < reach))
+        };
+        let [source, target] = self.sides.map(|side| side.to_region(points));
+        let pairs: Vec<_> = source
+            .into_iter()
+            .zip(target)
+            .filter(|(z, _)| {
+                let depth = self.outlines[0].depth(*z);
+                depth < spacing && !near(*z, APART * depth)
+            })
+            .collect();
+        self.add_pairs(&pairs);
     }
 }
 

@@ -7,10 +7,6 @@ use super::side::{Outline, Side};
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64};
 
-/// Inner nodes keep this share of the outline's length away from it: a thousandth of a pixel in a large picture. Parts
-/// of a region that the other copy shrinks further than that are spanned by their boundary nodes.
-const SHALLOWEST: f64 = 1e-7;
-
 /// Nodes of both copies, the ring of those on the boundary, and the triangles over them.
 pub(super) struct Draft<'a> {
     pub(super) sides: [&'a dyn Side; 2],
@@ -59,7 +55,7 @@ impl<'a> Draft<'a> {
         let before = self.source.len();
         let [source, target] = &self.outlines;
         for &(z, w) in pairs {
-            if source.depth(z) > SHALLOWEST * source.length() && target.depth(w) > SHALLOWEST * target.length() {
+            if source.depth(z) > self.trust() * source.length() && target.depth(w) > self.trust() * target.length() {
                 self.source.push(z);
                 self.target.push(w);
             }
@@ -117,11 +113,13 @@ impl<'a> Draft<'a> {
             s > from + margin && s < to - margin
         };
         let node = if (a_to - a_from) / source.length() >= (b_to - b_from) / target.length() {
-            let image = self.sides[1].at_angle(self.sides[0].angle(a));
-            RingNode { source: a, target: if strictly_between(target, image, b_from, b_to) { image } else { b } }
+            let angle = self.sides[0].angle(a);
+            let image = self.sides[1].at_angle(angle);
+            RingNode { source: a, target: if strictly_between(target, image, b_from, b_to) { image } else { b }, angle }
         } else {
-            let image = self.sides[0].at_angle(self.sides[1].angle(b));
-            RingNode { source: if strictly_between(source, image, a_from, a_to) { image } else { a }, target: b }
+            let angle = self.sides[1].angle(b);
+            let image = self.sides[0].at_angle(angle);
+            RingNode { source: if strictly_between(source, image, a_from, a_to) { image } else { a }, target: b, angle }
         };
         let ends = [(p.source, q.source, node.source), (p.target, q.target, node.target)];
         ends.iter().all(|(p, q, m)| m.point != p.point && m.point != q.point).then_some(node)
@@ -132,6 +130,11 @@ impl<'a> Draft<'a> {
         let ring: Vec<u32> = self.ring.iter().map(|(id, _)| *id).collect();
         self.triangles = connect(&self.source, &ring)?;
         Ok(())
+    }
+
+    /// What the maps can tell apart, in units of the disk.
+    pub(super) fn trust(&self) -> f64 {
+        self.sides[0].error().max(self.sides[1].error())
     }
 
     /// Size of each copy: what lengths are compared with.

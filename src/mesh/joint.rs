@@ -26,7 +26,8 @@ pub(super) enum Shape {
     Disk,
 }
 
-/// What the making of a joint triangulation found out about it.
+/// What the making of a joint triangulation found out about it. Lengths are in plane units of the target: divided by a
+/// frame's pixel size they are pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Evidence {
@@ -36,9 +37,12 @@ pub struct Evidence {
     pub added: usize,
     /// Boundary nodes moved along an outline because the maps crowd them together beyond double precision.
     pub moved: usize,
-    /// Largest distance, in plane units of the target, between the map and its affine pieces, measured at the middles of
+    /// Largest distance between the map and its affine pieces, measured at the middles of
     /// edges and triangles.
     pub largest_error: f64,
+    /// Largest distance between where the paper's route puts the samples and where the
+    /// exact one does; 0 for the exact route.
+    pub route_difference: f64,
 }
 
 impl JointTriangulation {
@@ -66,6 +70,13 @@ impl JointTriangulation {
         let mesh = Self { source, target, triangles, outline, shapes, evidence: Evidence::default() };
         mesh.validate()?;
         Ok(mesh)
+    }
+
+    /// Target → source: the same triangles, the copies exchanged. The evidence stays that of the making.
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        let [source, target] = self.shapes;
+        Self { source: self.target, target: self.source, shapes: [target, source], ..self }
     }
 
     /// The nodes in the source region, plane units.

@@ -1,6 +1,8 @@
 //! The paper's way back from the disk: find the triangle, apply its affine map.
 
-use super::side::Side;
+use super::build::CLEARANCE;
+use super::scan;
+use super::side::{Outline, Side};
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64, Polygon};
 use spade::{DelaunayTriangulation, HasPosition, Point2, PositionInTriangulation, Triangulation};
@@ -30,7 +32,7 @@ pub(super) struct Located<'a> {
 
 impl<'a> Located<'a> {
     /// `points` are samples of the region, its boundary's included.
-    pub(super) fn new(side: &'a dyn Side, inner: &[Complex64], boundary: &[BoundaryPoint]) -> Result<Self> {
+    fn new(side: &'a dyn Side, inner: &[Complex64], boundary: &[BoundaryPoint]) -> Result<Self> {
         let images = side.to_disk(inner).into_iter().zip(inner.iter().copied());
         let edge = boundary.iter().map(|&p| (Complex64::cis(side.angle(p)), p.point));
         let flush = |x: f64| if x.abs() < 1e-40 { 0.0 } else { x };
@@ -43,8 +45,17 @@ impl<'a> Located<'a> {
         Ok(Self { side, samples })
     }
 
+    /// The paper's samples of a region: a grid over its interior, and its boundary points, `spacing` apart.
+    pub(super) fn sampled(side: &'a dyn Side, spacing: f64) -> Result<Self> {
+        let Some(polygon) = side.polygon() else { return Self::new(side, &[], &[]) };
+        let inner = scan::fill(polygon, side.center(), spacing, CLEARANCE * spacing)?;
+        let outline = Outline::new(side);
+        let boundary = [outline.corners(), outline.divisions(spacing)].concat();
+        Self::new(side, &inner, &boundary)
+    }
+
     /// The affine map of the triangle around w; NaN outside the triangulation, or where its triangle is flipped.
-    fn at(&self, w: Complex64) -> Complex64 {
+    pub(super) fn at(&self, w: Complex64) -> Complex64 {
         let undefined = Complex64::new(f64::NAN, f64::NAN);
         let face = match self.samples.locate(Point2::new(w.re, w.im)) {
             PositionInTriangulation::OnVertex(vertex) => return self.samples.vertex(vertex).data().region,
@@ -87,6 +98,10 @@ impl Side for Located<'_> {
 
     fn at_angle(&self, angle: f64) -> BoundaryPoint {
         self.side.at_angle(angle)
+    }
+
+    fn error(&self) -> f64 {
+        self.side.error()
     }
 
     fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {

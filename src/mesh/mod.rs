@@ -9,10 +9,12 @@ mod connect;
 mod density;
 mod draft;
 mod export;
+mod inverse;
 mod joint;
-#[expect(dead_code, reason = "the way back from the disk")]
 mod locate;
+mod net;
 mod options;
+mod pocket;
 mod quality;
 mod repair;
 mod ring;

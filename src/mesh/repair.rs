@@ -11,6 +11,8 @@ use std::collections::BTreeSet;
 const MOST_ROUNDS: usize = 40;
 /// The bound on the refinement: this many times the nodes at the start, and a thousand.
 const MOST_GROWTH: usize = 2;
+/// Pockets have an angle on the circle of less than this many errors of the maps.
+const POCKET: f64 = 100.0;
 
 impl Draft<'_> {
     /// Connects the nodes, then adds nodes until no triangle is flipped or degenerate.
@@ -23,19 +25,30 @@ impl Draft<'_> {
         self.evidence.flipped_at_first = bad.len();
         let start = self.source.len();
         for _ in 0..MOST_ROUNDS {
-            if bad.is_empty() {
+            let (pockets, others): (Vec<_>, Vec<_>) = bad.iter().copied().partition(|t| self.is_pocket(*t));
+            if others.is_empty() {
+                self.raise(&pockets);
+                bad = self.bad_triangles();
                 self.evidence.added = self.source.len() - start;
-                return Ok(());
+                break;
             }
             let too_many = self.source.len() > MOST_GROWTH * start + 1000;
-            if too_many || self.refine(&bad) == 0 {
+            if too_many || self.refine(&others) == 0 {
                 break;
             }
             self.connect()?;
             bad = self.bad_triangles();
         }
-        let [a, b, c] = bad[0].map(|k| self.source[k as usize]);
+        let Some(t) = bad.first() else { return Ok(()) };
+        let [a, b, c] = t.map(|k| self.source[k as usize]);
         Err(Error::Crowded { at: (a + b + c) / 3.0 })
+    }
+
+    /// Whether a triangle is flat in the target because it lies in a pocket.
+    fn is_pocket(&self, t: [u32; 3]) -> bool {
+        let [Some(a), Some(b), Some(c)] = t.map(|k| self.places[k as usize]) else { return false };
+        let far = [(a, b), (b, c), (c, a)].iter().any(|(p, q)| (p.angle - q.angle).abs() > POCKET * self.trust());
+        !far && self.on_one_edge(1, [a, b, c]) && !self.on_one_edge(0, [a, b, c])
     }
 
     /// The triangles that are not anticlockwise in both copies, or have their corners on one edge of an outline.

@@ -1,5 +1,6 @@
 //! The refinement of the boundary: one cyclic list of nodes on the outlines of both copies.
 
+use super::net;
 use super::side::{Outline, Side};
 use crate::plane::BoundaryPoint;
 use crate::{Error, Result};
@@ -20,6 +21,8 @@ const COINCIDENT: f64 = 1e-3;
 pub(super) struct RingNode {
     pub(super) source: BoundaryPoint,
     pub(super) target: BoundaryPoint,
+    /// Where both lie on the circle.
+    pub(super) angle: f64,
 }
 
 /// The boundary nodes of a joint triangulation, anticlockwise from the pair of `toward` points.
@@ -85,10 +88,12 @@ impl Ring {
         let mut list = merge(own, others);
         unite_coincident(&mut list, COINCIDENT * spacing, COINCIDENT * reach);
         drop_crowded(&mut list, CROWDED * spacing, 1e-3 * reach);
+        grade(&mut list, source, target, outlines);
         let mut moved = vec![false; list.len()];
         spread(&mut list, |c| &mut c.source, outlines.0, &mut moved)?;
         spread(&mut list, |c| &mut c.target, outlines.1, &mut moved)?;
-        let nodes = list.iter().map(|c| RingNode { source: c.source.point, target: c.target.point }).collect();
+        let nodes =
+            list.iter().map(|c| RingNode { source: c.source.point, target: c.target.point, angle: c.angle }).collect();
         Ok(Self { nodes, moved: moved.iter().filter(|&&m| m).count() })
     }
 }
@@ -206,6 +211,18 @@ fn drop_crowded(list: &mut Vec<Candidate>, source_gap: f64, target_gap: f64) {
         kept.pop();
     }
     *list = kept;
+}
+
+/// Adds nodes so that neighbouring gaps on the circle are of comparable size.
+fn grade(list: &mut Vec<Candidate>, source: &dyn Side, target: &dyn Side, (own, other): (&Outline, &Outline)) {
+    let angles: Vec<_> = list.iter().map(|c| c.angle).collect();
+    list.extend(net::grading(&angles, source.error().max(target.error())).into_iter().map(|angle| Candidate {
+        angle,
+        origin: Origin::Division,
+        source: Place::image(source.at_angle(angle), angle, own),
+        target: Place::image(target.at_angle(angle), angle, other),
+    }));
+    list.sort_by(|p, q| p.angle.total_cmp(&q.angle));
 }
 
 /// Makes the distances along one outline rise strictly, moving only points that are not its own.

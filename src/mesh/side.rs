@@ -4,6 +4,9 @@ use crate::map::RiemannMap;
 use crate::plane::{BoundaryPoint, Complex64, Polygon};
 use std::f64::consts::TAU;
 
+/// No map is more accurate than this, some roundings of numbers near 1.
+const ROUNDING: f64 = 1e-13;
+
 /// A region that is one copy of a joint triangulation, or the disk itself.
 ///
 /// The mesh needs no more than a homeomorphism: that the maps are conformal makes it good, not valid.
@@ -18,6 +21,8 @@ pub(crate) trait Side {
     fn angle(&self, point: BoundaryPoint) -> f64;
     /// Angle on the circle → boundary.
     fn at_angle(&self, angle: f64) -> BoundaryPoint;
+    /// Largest error of the map, in units of the disk.
+    fn error(&self) -> f64;
     /// Region → disk; NaN outside the region.
     fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64>;
     /// Disk → region; NaN outside the disk.
@@ -43,6 +48,10 @@ impl Side for RiemannMap {
 
     fn at_angle(&self, angle: f64) -> BoundaryPoint {
         self.boundary_point(angle)
+    }
+
+    fn error(&self) -> f64 {
+        self.error_estimate().max(ROUNDING)
     }
 
     fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
@@ -77,6 +86,10 @@ impl Side for UnitDisk {
     /// The circle is one closed edge, `t` its share of the full angle.
     fn at_angle(&self, angle: f64) -> BoundaryPoint {
         BoundaryPoint { edge: 0, t: angle / TAU, point: Complex64::cis(angle) }
+    }
+
+    fn error(&self) -> f64 {
+        ROUNDING
     }
 
     fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {

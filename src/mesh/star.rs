@@ -55,6 +55,10 @@ impl Side for Star {
         (0..self.polygon.len()).find_map(hit).unwrap()
     }
 
+    fn error(&self) -> f64 {
+        1e-13
+    }
+
     fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
         let turn = Complex64::cis(-self.turn());
         let ratio = |z: Complex64| {

@@ -27,6 +27,10 @@ pub struct SamplingOptions {
     /// Whose pixels these are: the frame that the target will be drawn in.
     #[tsify(optional)]
     pub frame: Option<FrameOptions>,
+    /// How samples get from region to region: "exact", by both maps, or "located", as the paper did, by finding the
+    /// triangle of the second region around each.
+    #[tsify(optional)]
+    pub route: Route,
 }
 
 impl TryFrom<SamplingOptions> for Density {
@@ -45,7 +49,8 @@ impl TryFrom<SamplingOptions> for Density {
 
 impl SamplingOptions {
     fn into_mesh_options(self) -> Result<MeshOptions, Failure> {
-        Ok(MeshOptions { density: self.try_into()?, route: Route::Exact })
+        let route = self.route;
+        Ok(MeshOptions { density: self.try_into()?, route })
     }
 }
 
@@ -66,6 +71,20 @@ impl JointTriangulation {
     pub fn region_to_disk(map: &RiemannMap, options: Ts<SamplingOptions>) -> Result<Self, Failure> {
         let options = options::read(&options)?.into_mesh_options()?;
         Ok(Self(mesh::JointTriangulation::region_to_disk(map.inner(), &options)?))
+    }
+
+    /// Region → region through the disk: center to center, `toward` to `toward`, outline to outline.
+    ///
+    /// Throws "invalid-option", or "crowded" where double precision cannot keep nodes apart.
+    #[wasm_bindgen(js_name = regionToRegion)]
+    pub fn region_to_region(from: &RiemannMap, to: &RiemannMap, options: Ts<SamplingOptions>) -> Result<Self, Failure> {
+        let options = options::read(&options)?.into_mesh_options()?;
+        Ok(Self(mesh::JointTriangulation::region_to_region(from.inner(), to.inner(), &options)?))
+    }
+
+    /// Target → source: the same triangles, the copies exchanged.
+    pub fn inverse(&self) -> Self {
+        Self(self.0.clone().inverse())
     }
 
     /// A mesh from its arrays, as a worker receives them: `source`, `target` and `triangles` of another one.
@@ -118,6 +137,7 @@ impl JointTriangulation {
             added: found.added,
             moved: found.moved,
             largest_error: found.largest_error,
+            route_difference: found.route_difference,
             largest_angle_error: self.0.largest_angle_error(),
         })
     }
@@ -165,6 +185,9 @@ pub struct MeshEvidence {
     pub moved: usize,
     /// The largest distance between the map and its affine pieces, in plane units of the target.
     pub largest_error: f64,
+    /// The largest distance between where the route "located" puts samples and where the exact one does, in plane units of
+    /// the target.
+    pub route_difference: f64,
     /// The largest change of an angle by an affine piece, in radians.
     pub largest_angle_error: f64,
 }
