@@ -9,10 +9,17 @@
 //! the paper's appendix 2 with g = −∫ log|z − y| dμ. The exact c is 0; keeping it makes the system regular for every
 //! region, also one of logarithmic capacity 1.
 //!
-//! In the order of the computation: [`panel`] cuts the boundary, [`rule`] integrates the logarithm over a panel
-//! ([`log_moments`] when near), [`discretisation`] writes the equations, [`solve`] solves and refines them,
-//! [`correspondence`] is θ on the boundary, [`potential`] the map inside.
+//! In the order of the computation:
+//! - [`panel`] cuts the boundary; [`rule`] integrates the logarithm over a panel ([`log_moments`] when near);
+//!   [`discretisation`] writes the equations;
+//! - [`system`] solves them: by factorisation ([`lu`]) when small, else by iteration ([`gmres`]) with a preconditioner
+//!   ([`two_level`]) and products from stored entries ([`influence`]) or expansions ([`fast_multipole`], [`clusters`]);
+//! - [`solve`] refines until the estimate meets the tolerance; [`center`] moves the center of what is solved;
+//! - [`solution`] is the answer: [`correspondence`] on the boundary, [`potential`] inside.
+//!
+//! [`smooth`] does all this, more simply, for smooth curves.
 
+pub mod center;
 pub mod clusters;
 pub mod correspondence;
 pub mod discretisation;
@@ -27,6 +34,7 @@ pub mod panel;
 pub mod potential;
 pub mod rule;
 pub mod smooth;
+pub mod solution;
 pub mod solve;
 pub mod system;
 pub mod two_level;

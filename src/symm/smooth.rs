@@ -5,6 +5,7 @@
 //! (R. Kress, *Linear Integral Equations*, section 12.3).
 
 use super::lu::Lu;
+use super::solution::ERROR_PER_RESIDUAL;
 use super::solve::{Progress, SolveOptions, Stop};
 use crate::plane::{Complex64, SmoothCurve};
 use crate::{Error, Result};
@@ -49,8 +50,6 @@ pub struct SmoothSolution {
     pub stop: Stop,
 }
 
-/// The estimate per residual, as for polygons.
-const ERROR_PER_RESIDUAL: f64 = 10.0;
 /// What rounding leaves, per node: differences of nearby nodes are only known to that.
 const ROUNDING_PER_NODE: f64 = 2e-16;
 /// Fewest nodes.
@@ -61,13 +60,14 @@ const MOST_NODES: usize = 4096;
 /// Solves for `center` (plane units), doubling the nodes until the estimate meets the tolerance.
 ///
 /// # Errors
-/// [`Error::Cancelled`], and [`Error::NegativeMass`] if even the most nodes allowed do not resolve the curve.
+/// [`Error::InvalidOption`], [`Error::Cancelled`], and [`Error::NegativeMass`] if even the most nodes allowed do not resolve the curve.
 pub fn solve_smooth(
     curve: &Arc<SmoothCurve>,
     center: Complex64,
     options: &SolveOptions,
     progress: Progress,
 ) -> Result<SmoothSolution> {
+    options.validate()?;
     let given = curve.points().len();
     let mut nodes = given * LEAST_NODES.div_ceil(given);
     let most = options.max_unknowns.min(MOST_NODES);

@@ -1,20 +1,16 @@
 //! Symm's equation solved to a tolerance: panels are halved where the equation does not hold yet.
-//!
-//! Log f_h/f is analytic in the region, and on the boundary its real part is c minus the equation's residual r. By the
-//! maximum principle |r| bounds the error of log|f|, and its conjugate function the error of arg f: the residual at points
-//! that were not collocated is therefore an error estimate, up to a modest factor.
 
-use super::correspondence::BoundaryCorrespondence;
+use super::center::moved_measure;
 use super::discretisation::Discretisation;
-
 use super::panel::{Boundary, Panel, initial_panels};
-use super::potential::LogPotential;
 use super::rule::{Order, Rules};
-use super::system::{System, SystemSolution};
-use crate::plane::{BoundaryPoint, Complex64, Region};
+use super::solution::{ERROR_PER_RESIDUAL, estimate_of, finish};
+use super::system::System;
+use crate::plane::{Complex64, Region};
 use crate::{Error, Result};
-use std::f64::consts::TAU;
 use std::sync::Arc;
+
+pub use super::solution::Solution;
 
 /// What a solve should reach, and what it may spend.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +24,19 @@ pub struct SolveOptions {
 impl Default for SolveOptions {
     fn default() -> Self {
         Self { tolerance: 1e-8, max_unknowns: 150_000 }
+    }
+}
+
+impl SolveOptions {
+    /// Whether the tolerance is one that can be asked for.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`].
+    pub fn validate(&self) -> Result<()> {
+        if (1e-14..=0.1).contains(&self.tolerance) {
+            return Ok(());
+        }
+        Err(Error::InvalidOption { name: "tolerance", expected: "between 1e-14 and 0.1", value: self.tolerance })
     }
 }
 
@@ -48,93 +57,7 @@ pub enum Stop {
     Stagnation,
 }
 
-/// A solved equation, with its evidence.
-#[derive(Clone, Debug)]
-pub struct Solution {
-    /// The system, ready for another center.
-    pub system: Arc<System>,
-    /// The center, in the scaled units of the boundary.
-    pub center: Complex64,
-    /// Mass of harmonic measure at each node.
-    pub masses: Vec<f64>,
-    /// θ along the boundary.
-    pub correspondence: BoundaryCorrespondence,
-    /// log f inside, by direct summation.
-    pub potential: LogPotential,
-    /// Largest violation of the equation at points that were not collocated, or |c| if that is larger.
-    pub residual: f64,
-    /// Estimate of the largest error of the map.
-    pub error_estimate: f64,
-    /// Why the solve ended.
-    pub stop: Stop,
-}
-
-impl Solution {
-    /// The panels it lives on.
-    #[must_use]
-    pub fn discretisation(&self) -> &Discretisation {
-        &self.system.discretisation
-    }
-
-    /// Measure from vertex 0 to a boundary point.
-    #[must_use]
-    pub fn measure_at(&self, point: BoundaryPoint) -> f64 {
-        let discretisation = self.discretisation();
-        let length = discretisation.boundary.lengths[point.edge];
-        let (from_start, from_end) = (point.t * length, (1.0 - point.t) * length);
-        let panels = self.correspondence.panels_of_edge(point.edge);
-        let last = panels.end - 1;
-        for q in panels {
-            let panel = &discretisation.panels[q];
-            let s = if panel.outgoing { from_start } else { from_end };
-            let within = if panel.outgoing { s <= panel.end } else { s >= panel.start };
-            if within || q == last {
-                return self.correspondence.measure(discretisation, q, panel.tau_at(s));
-            }
-        }
-        0.0
-    }
-
-    /// Measure from vertex 0 → the edge and the share of it where that is reached.
-    #[must_use]
-    pub fn locate(&self, measure: f64) -> (usize, f64) {
-        let discretisation = self.discretisation();
-        let (q, tau) = self.correspondence.locate(discretisation, measure);
-        let panel = &discretisation.panels[q];
-        let share = panel.distance_at(tau) / discretisation.boundary.lengths[panel.edge];
-        (panel.edge, if panel.outgoing { share } else { 1.0 - share })
-    }
-
-    /// Region → disk (vertex 0 ↦ 1) for a point inside, given the boundary point nearest to it (both in plane units).
-    #[must_use]
-    pub fn to_disk(&self, nearest: BoundaryPoint, z: Complex64) -> Complex64 {
-        let scaled = z * self.discretisation().boundary.unit;
-        self.beside_corner(nearest, scaled)
-            .unwrap_or_else(|| self.potential.map(self.discretisation(), self.center, scaled))
-    }
-
-    /// f very near a corner, where the boundary correspondence continued analytically is more accurate than quadrature.
-    fn beside_corner(&self, nearest: BoundaryPoint, scaled: Complex64) -> Option<Complex64> {
-        let discretisation = self.discretisation();
-        let panels = self.correspondence.panels_of_edge(nearest.edge);
-        let q = if nearest.t <= 0.5 { panels.start } else { panels.end - 1 };
-        let panel = &discretisation.panels[q];
-        let local = discretisation.local_of(q, scaled);
-        if local.norm() >= discretisation.rules[q].blind_radius() {
-            return None;
-        }
-        // Measured from an edge that ends at the corner, the region lies clockwise; the branch cut lies outside either way.
-        let tau = local.powf(1.0 / panel.exponent);
-        let measure = self.correspondence.complex_measure(discretisation, q, tau);
-        Some((Complex64::i() * TAU * measure).exp())
-    }
-}
-
-/// The map's error was measured at 1 to 8 times the residual.
-const ERROR_PER_RESIDUAL: f64 = 10.0;
-/// Rounding alone makes errors of this size in the map,
-const ROUNDING: f64 = 1e-14;
-/// and of this size in the equations.
+/// Rounding alone makes errors of this size in the equations.
 const NOISE: f64 = 1e-15;
 /// Estimates below this are checked against amplified rounding.
 const CHECK_ROUNDING_BELOW: f64 = 1e-9;
@@ -143,8 +66,6 @@ const REFINE_SHARE: f64 = 0.3;
 /// The linear systems are solved to this share of it: between the walls of a thin slot the potential hardly sees
 /// opposite masses, so what the iteration leaves there weighs a thousand times more in the map.
 const ITERATION_SHARE: f64 = 1e-3;
-/// And to this one when only the center has moved: the guess is good where slots would be slow.
-const MOVE_SHARE: f64 = 0.1;
 /// Below this, a residual that refining did not halve is taken for rounding.
 const STAGNATION_BELOW: f64 = 1e-10;
 /// Corner panels reach this far, measured in the clearance of their corner.
@@ -155,13 +76,7 @@ const KAPPA: f64 = 1.0;
 /// # Errors
 /// [`Error::InvalidOption`], [`Error::Cancelled`], and [`Error::NegativeMass`] if the discretisation failed.
 pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Result<Solution> {
-    if !(1e-14..=0.1).contains(&options.tolerance) {
-        return Err(Error::InvalidOption {
-            name: "tolerance",
-            expected: "between 1e-14 and 0.1",
-            value: options.tolerance,
-        });
-    }
+    options.validate()?;
     let boundary = Arc::new(Boundary::new(region.polygon()));
     let center = region.center() * boundary.unit;
     let panels = initial_panels(&boundary, KAPPA);
@@ -186,70 +101,6 @@ pub fn solve_again(
     let center = center * discretisation.boundary.unit;
     let rules = Rules::new(discretisation.order.clone());
     adapt(Arc::clone(&previous.system), rules, center, Some(moved_measure(previous, center)), options, progress)
-}
-
-/// The same region for another `center` (plane units) on the panels that there are: nothing is assembled, factored or
-/// refined, and the estimate says how well they serve.
-///
-/// # Errors
-/// [`Error::Cancelled`], [`Error::NegativeMass`].
-pub fn move_center(
-    previous: &Solution,
-    center: Complex64,
-    options: &SolveOptions,
-    progress: Progress,
-) -> Result<Solution> {
-    let system = Arc::clone(&previous.system);
-    let center = center * system.discretisation.boundary.unit;
-    let mut outcome = system.check(center, moved_measure(previous, center));
-    if estimate_of(&outcome) > options.tolerance {
-        let tolerance = MOVE_SHARE * options.tolerance / ERROR_PER_RESIDUAL;
-        outcome = system.solve(center, tolerance, Some(outcome.masses), progress)?;
-    }
-    let error_estimate = estimate_of(&outcome);
-    let stop = if error_estimate <= options.tolerance { Stop::Tolerance } else { Stop::SamePanels };
-    finish(system, center, outcome, error_estimate, stop)
-}
-
-/// Harmonic measure seen from `center`, as far as `previous` knows: Poisson's kernel times the measure seen from its own
-/// center, dμ₁ = (1 − |w|²)/|e^{iθ} − w|² dμ₀ with w = f₀(center).
-fn moved_measure(previous: &Solution, center: Complex64) -> Vec<f64> {
-    let discretisation = previous.discretisation();
-    let w = previous.potential.map(discretisation, previous.center, center);
-    let nodes = &discretisation.order.panel.nodes;
-    let mut moved = Vec::with_capacity(previous.masses.len());
-    for (i, mass) in previous.masses.iter().enumerate() {
-        let (q, node) = (i / nodes.len(), i % nodes.len());
-        let theta = TAU * previous.correspondence.measure(discretisation, q, 0.5 * (nodes[node] + 1.0));
-        moved.push(mass * (1.0 - w.norm_sqr()) / (Complex64::cis(theta) - w).norm_sqr());
-    }
-    let total: f64 = moved.iter().sum();
-    moved.iter_mut().for_each(|mass| *mass /= total);
-    moved
-}
-
-/// What the residuals say of the map's error, apart from rounding in the system.
-fn estimate_of(outcome: &SystemSolution) -> f64 {
-    ERROR_PER_RESIDUAL * outcome.residual() + ROUNDING
-}
-
-/// A solution with its evidence, unless its masses show that it is none.
-fn finish(
-    system: Arc<System>,
-    center: Complex64,
-    outcome: SystemSolution,
-    error_estimate: f64,
-    stop: Stop,
-) -> Result<Solution> {
-    let residual = outcome.residual();
-    let masses = outcome.masses;
-    let correspondence = BoundaryCorrespondence::new(&system.discretisation, &masses);
-    let mass = correspondence.smallest_mass();
-    if mass < -error_estimate || !residual.is_finite() {
-        return Err(Error::NegativeMass { mass, estimate: error_estimate });
-    }
-    let potential = LogPotential::new(&masses);
-    Ok(Solution { system, center, masses, correspondence, potential, residual, error_estimate, stop })
 }
 
 /// Solves, and halves panels and solves again until the estimate meets the tolerance.
