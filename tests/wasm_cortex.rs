@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use conformal_warp::wasm::cortex::{CorticalModelOptions, GazeOptions, RetinoCorticalMap};
+use conformal_warp::wasm::foveated::{FoveatedOptions, FoveatedTexture};
 use conformal_warp::wasm::texture::{Texture, TextureOptions};
 use conformal_warp::wasm::warp::DrawOptions;
 use js_sys::Reflect;
@@ -45,6 +46,12 @@ fn a_picture_is_warped_onto_the_cortex() {
     // 30° to the right the picture ends; the fovea lies at 0.
     let at = |x: usize| rgba[4 * (45 * 90 + x) + 3];
     assert_eq!((at(5), at(20), at(60), at(85)), (0, 255, 255, 0));
+    let foveated = object::<FoveatedOptions>(&format!("picture: {frame}, fixation: [0, 0], side: 16"));
+    let foveated = FoveatedTexture::new(&[90, 120, 150, 255].repeat(64), foveated).unwrap();
+    let options = object::<DrawOptions>(&format!("texture: {frame}, view: {view}"));
+    let again = image.warp_foveated(&foveated, options).unwrap().to_vec();
+    assert_eq!((foveated.levels(), again[4 * (45 * 90 + 20)]), (1, 90));
+
     let seen = image.to_picture(&map.to_cortex(&[30.0, 0.0]).unwrap()).unwrap();
     assert!((seen[0] - 1.0).abs() < 1e-12 && seen[1].abs() < 1e-12, "{seen:?}");
 }

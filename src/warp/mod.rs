@@ -9,6 +9,7 @@
 //! TriangleMesh ────────────────────────────────────┴► footprints ─► sampler (nearest … best) ─► RGBA
 //! ```
 
+mod foveated;
 mod joint;
 mod light;
 mod mesh;
@@ -29,6 +30,7 @@ mod source_mesh;
 mod strip;
 mod texture;
 
+pub use foveated::FoveatedTexture;
 pub use light::Light;
 pub use mesh::TriangleMesh;
 pub use options::{Direction, Quality, WarpOptions};

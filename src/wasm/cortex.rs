@@ -1,6 +1,7 @@
 //! `RetinoCorticalMap` and `CorticalImage` in JavaScript.
 
 use super::error::Failure;
+use super::foveated::FoveatedTexture;
 use super::options::{self, FrameOptions, Point};
 use super::overlay::{self, OverlayOptions};
 use super::points;
@@ -128,6 +129,18 @@ impl CorticalImage {
     /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
     pub fn warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
         warp::warp(&self.0, Direction::PullBack, texture, &options)
+    }
+
+    /// `warp` of a foveated texture, each of whose levels has its own frame: `options.texture` is not used.
+    ///
+    /// Throws as `warp` does.
+    #[wasm_bindgen(js_name = warpFoveated)]
+    pub fn warp_foveated(
+        &self,
+        texture: &FoveatedTexture,
+        options: Ts<DrawOptions>,
+    ) -> Result<Uint8ClampedArray, Failure> {
+        warp::draw(Direction::PullBack, &options, |options| texture.inner().warp(&self.0, options))
     }
 
     /// `warp`, onto a canvas.

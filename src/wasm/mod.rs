@@ -8,6 +8,7 @@
 pub mod cortex;
 pub mod error;
 pub mod formula;
+pub mod foveated;
 pub mod mesh;
 pub mod options;
 pub mod overlay;

@@ -64,9 +64,21 @@ pub fn warp(
     texture: &Texture,
     options: &Ts<DrawOptions>,
 ) -> Result<Uint8ClampedArray, Failure> {
+    draw(usual, options, |options| map.warp(texture.inner(), options))
+}
+
+/// The pixels of `picture`, in `out` if it was given.
+///
+/// # Errors
+/// As [`warp`].
+pub fn draw(
+    usual: Direction,
+    options: &Ts<DrawOptions>,
+    picture: impl FnOnce(&WarpOptions) -> crate::Result<Vec<u8>>,
+) -> Result<Uint8ClampedArray, Failure> {
     let (options, out) = options::read(options)?.split(usual)?;
     let Some(out) = out else {
-        let pixels = map.warp(texture.inner(), &options)?;
+        let pixels = picture(&options)?;
         return Ok(Uint8ClampedArray::from(&pixels[..]));
     };
     let expected = options.output_len()?;
@@ -74,7 +86,7 @@ pub fn warp(
         let found = out.length() as usize;
         return Err(Error::WrongLength { what: "out", expected: expected.to_string(), found }.into());
     }
-    out.copy_from(&map.warp(texture.inner(), &options)?);
+    out.copy_from(&picture(&options)?);
     Ok(out)
 }
 

@@ -1,0 +1,75 @@
+//! `FoveatedTexture` in JavaScript.
+
+use super::error::Failure;
+use super::options::{self, FrameOptions, Point};
+use super::texture::Texture;
+use crate::warp::{self, Light};
+use serde::Deserialize;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Where a picture lies, and where it needs its detail.
+#[derive(Debug, Deserialize, Tsify)]
+pub struct FoveatedOptions {
+    /// The picture's frame; its pixel counts are the picture's.
+    pub picture: FrameOptions,
+    /// The point of the plane that is looked at.
+    pub fixation: Point,
+    /// Pixels along each side of every level, 512 by default.
+    #[tsify(optional)]
+    pub side: Option<usize>,
+    /// "linear" (the default) or "plain": the light in which pixels are averaged.
+    #[serde(default)]
+    #[tsify(optional)]
+    pub light: Light,
+}
+
+/// Full detail where an eye looks: crops of a picture around a point, each twice as wide as the one above it at the same
+/// number of pixels. Pixels are taken from the finest level that has them, without visible rings.
+#[derive(Debug)]
+#[wasm_bindgen]
+pub struct FoveatedTexture(warp::FoveatedTexture);
+
+#[wasm_bindgen]
+impl FoveatedTexture {
+    /// The stack of a picture's RGBA bytes (straight alpha). The picture itself is not kept.
+    ///
+    /// Throws "wrong-length", "invalid-option", "invalid-frame" or "not-finite".
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "Uint8Array | Uint8ClampedArray")] rgba: &[u8],
+        options: Ts<FoveatedOptions>,
+    ) -> Result<Self, Failure> {
+        let FoveatedOptions { picture, fixation, side, light } = options::read(&options)?;
+        let (picture, side) = (picture.try_into()?, side.unwrap_or(512));
+        Ok(Self(warp::FoveatedTexture::around(rgba, &picture, fixation.into(), side, light)?))
+    }
+
+    /// A stack of one texture, to which closer ones are added: a wide shot and its close-ups, or the crops of a picture
+    /// too large to be held at once. The texture is taken over and must not be used any more.
+    pub fn of(texture: Texture, frame: Ts<FrameOptions>) -> Result<Self, Failure> {
+        let frame = options::read(&frame)?.try_into()?;
+        Ok(Self(warp::FoveatedTexture::new(vec![(texture.into_inner(), frame)])?))
+    }
+
+    /// Puts a closer texture on top, and takes it over.
+    pub fn add(&mut self, texture: Texture, frame: Ts<FrameOptions>) -> Result<(), Failure> {
+        let frame = options::read(&frame)?.try_into()?;
+        self.0.add(texture.into_inner(), frame);
+        Ok(())
+    }
+
+    /// Number of levels.
+    #[wasm_bindgen(getter)]
+    pub fn levels(&self) -> usize {
+        self.0.levels().len()
+    }
+}
+
+impl FoveatedTexture {
+    /// The stack itself, for the classes that warp it.
+    #[must_use]
+    pub fn inner(&self) -> &warp::FoveatedTexture {
+        &self.0
+    }
+}
