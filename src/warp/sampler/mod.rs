@@ -2,11 +2,16 @@
 //!
 //! The quality and the wrap mode are chosen once an image; below that everything is one loop a row.
 
+#[cfg_attr(target_feature = "simd128", allow(dead_code, reason = "what the simd kernels are tested against"))]
 mod scalar;
+#[cfg(target_feature = "simd128")]
+mod simd;
 
 use super::options::Quality;
 use super::strip::Strip;
 use super::texture::{Texture, Wrap};
+#[cfg(target_feature = "simd128")]
+use core::arch::wasm32::{f32x4_add, f32x4_floor, f32x4_mul, f32x4_pmax, f32x4_pmin, f32x4_splat, f32x4_sub, v128};
 
 /// The `best` quality's samples in a pixel, as offsets from its centre: a rotated grid, so that near-horizontal and
 /// near-vertical edges pass four different distances. Four boxes of half the pixel's side around them have the second
@@ -16,7 +21,10 @@ const ROTATED_GRID: [[f32; 2]; 4] = {
     [[a, b], [-a, -b], [b, -a], [-b, a]]
 };
 
-/// One row of a strip.
+/// Columns that are drawn together; whole groups of four.
+const SQUARE: usize = 32;
+
+/// A piece of a row of a strip.
 #[derive(Clone, Copy)]
 struct Row<'a> {
     u: &'a [f32],
@@ -26,10 +34,10 @@ struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    /// Row `row` of the strip; a quantity that the strip does not hold is empty.
-    fn of(strip: &'a Strip, row: usize) -> Self {
-        let start = strip.start(row);
-        let part = |plane: &'a Vec<f32>| plane.get(start..start + strip.stride).unwrap_or_default();
+    /// Row `row` of the strip from column `first` on; a quantity that the strip does not hold is empty.
+    fn of(strip: &'a Strip, row: usize, first: usize) -> Self {
+        let (start, end) = (strip.start(row) + first, strip.start(row + 1));
+        let part = |plane: &'a Vec<f32>| plane.get(start..end).unwrap_or_default();
         let [a, b, c, d] = &strip.jacobian;
         Self { u: part(&strip.u), v: part(&strip.v), level: part(&strip.level), jacobian: [a, b, c, d].map(part) }
     }
@@ -45,15 +53,25 @@ pub(super) fn sample(texture: &Texture, quality: Quality, strip: &Strip, out: &m
     }
 }
 
+#[cfg(not(target_feature = "simd128"))]
+use scalar as kernels;
+/// The fastest kernels of this build.
+#[cfg(target_feature = "simd128")]
+use simd as kernels;
+
 fn sample_wrapped<W: Fold>(texture: &Texture, quality: Quality, strip: &Strip, out: &mut [u8]) {
     let draw = match quality {
         Quality::Nearest => scalar::nearest::<W>,
-        Quality::Bilinear => scalar::bilinear::<W>,
-        Quality::Trilinear => scalar::trilinear::<W>,
-        Quality::Best => scalar::best::<W>,
+        Quality::Bilinear => kernels::bilinear::<W>,
+        Quality::Trilinear => kernels::trilinear::<W>,
+        Quality::Best => kernels::best::<W>,
     };
-    for (row, line) in out.chunks_exact_mut(4 * strip.width).enumerate() {
-        draw(texture, Row::of(strip, row), line);
+    // Square by square: what a square shows of the texture is small, and stays in the nearest cache.
+    for first in (0..strip.width).step_by(SQUARE) {
+        let end = strip.width.min(first + SQUARE);
+        for (row, line) in out.chunks_exact_mut(4 * strip.width).enumerate() {
+            draw(texture, Row::of(strip, row, first), &mut line[4 * first..4 * end]);
+        }
     }
 }
 
@@ -61,6 +79,10 @@ fn sample_wrapped<W: Fold>(texture: &Texture, quality: Quality, strip: &Strip, o
 /// where there is nothing.
 trait Fold {
     fn fold(t: f32, size: f32) -> f32;
+
+    /// Four at once; `reciprocal` = 1 / `size`.
+    #[cfg(target_feature = "simd128")]
+    fn fold4(t: v128, size: v128, reciprocal: v128) -> v128;
 }
 
 struct Unchanged;
@@ -72,11 +94,21 @@ impl Fold for Unchanged {
     fn fold(t: f32, _: f32) -> f32 {
         t
     }
+
+    #[cfg(target_feature = "simd128")]
+    fn fold4(t: v128, _: v128, _: v128) -> v128 {
+        t
+    }
 }
 
 impl Fold for Clamped {
     fn fold(t: f32, size: f32) -> f32 {
         t.clamp(0.0, size)
+    }
+
+    #[cfg(target_feature = "simd128")]
+    fn fold4(t: v128, size: v128, _: v128) -> v128 {
+        f32x4_pmin(f32x4_pmax(f32x4_splat(0.0), t), size)
     }
 }
 
@@ -84,11 +116,121 @@ impl Fold for Repeated {
     fn fold(t: f32, size: f32) -> f32 {
         t - size * (t / size).floor()
     }
+
+    #[cfg(target_feature = "simd128")]
+    fn fold4(t: v128, size: v128, reciprocal: v128) -> v128 {
+        f32x4_sub(t, f32x4_mul(size, f32x4_floor(f32x4_mul(t, reciprocal))))
+    }
 }
 
 impl Fold for Mirrored {
     fn fold(t: f32, size: f32) -> f32 {
         let t = Repeated::fold(t, 2.0 * size);
         t.min(2.0 * size - t)
+    }
+
+    #[cfg(target_feature = "simd128")]
+    fn fold4(t: v128, size: v128, reciprocal: v128) -> v128 {
+        let period = f32x4_add(size, size);
+        let t = Repeated::fold4(t, period, f32x4_mul(reciprocal, f32x4_splat(0.5)));
+        f32x4_pmin(t, f32x4_sub(period, t))
+    }
+}
+
+#[cfg(all(test, target_feature = "simd128"))]
+mod tests {
+    use super::*;
+    use crate::warp::Light;
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    /// Numbers in [0, 1), the same every time.
+    struct Random(u32);
+
+    impl Random {
+        fn next(&mut self) -> f32 {
+            self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (self.0 >> 8) as f32 / (1 << 24) as f32
+        }
+
+        /// Pixels of black, white and colours between, opaque but for `veiled` of them.
+        fn picture(&mut self, [width, height]: [usize; 2], veiled: f32) -> Vec<u8> {
+            let mut byte = || (self.next() * 340.0 - 40.0).clamp(0.0, 255.0) as u8;
+            let mut rgba: Vec<u8> = (0..4 * width * height).map(|_| byte()).collect();
+            for pixel in rgba.as_chunks_mut::<4>().0 {
+                if self.next() >= veiled {
+                    pixel[3] = 255;
+                }
+            }
+            rgba
+        }
+
+        /// A strip of footprints all over the texture and beyond it, some of them nowhere.
+        fn strip(&mut self, quality: Quality, [width, height]: [usize; 2]) -> Strip {
+            let mut strip = Strip::new(61, quality);
+            strip.reset(0, 7);
+            for k in 0..strip.start(7) {
+                let smooth = k / 61 % 2 == 0;
+                strip.u[k] = (3.0 * self.next() - 1.0) * width as f32;
+                strip.v[k] = (3.0 * self.next() - 1.0) * height as f32;
+                if self.next() < 0.02 {
+                    strip.u[k] = f32::NAN;
+                }
+                if strip.has_levels() {
+                    strip.level[k] = if smooth { 1.5 + 0.01 * self.next() } else { 12.0 * self.next() - 2.0 };
+                }
+                if strip.has_jacobian() {
+                    strip.jacobian.iter_mut().for_each(|plane| plane[k] = 4.0 * self.next() - 2.0);
+                }
+            }
+            strip
+        }
+    }
+
+    /// The largest difference of what is seen: of colours as far as alpha lets them through, and of alpha.
+    fn largest_difference(a: &[u8], b: &[u8]) -> f32 {
+        let pixels = a.as_chunks::<4>().0.iter().zip(b.as_chunks::<4>().0);
+        let seen = |pixel: &[u8; 4], channel: usize| match channel {
+            3 => f32::from(pixel[3]),
+            _ => f32::from(pixel[channel]) * f32::from(pixel[3]) / 255.0,
+        };
+        pixels.flat_map(|(p, q)| (0..4).map(move |c| (seen(p, c) - seen(q, c)).abs())).fold(0.0, f32::max)
+    }
+
+    fn compare<W: Fold>(texture: &Texture, random: &mut Random) {
+        type Kernel = fn(&Texture, Row<'_>, &mut [u8]);
+        let twins: [(Quality, Kernel, Kernel); 3] = [
+            (Quality::Bilinear, scalar::bilinear::<W>, simd::bilinear::<W>),
+            (Quality::Trilinear, scalar::trilinear::<W>, simd::trilinear::<W>),
+            (Quality::Best, scalar::best::<W>, simd::best::<W>),
+        ];
+        for (quality, scalar, simd) in twins {
+            let strip = random.strip(quality, texture.size());
+            for row in 0..strip.rows {
+                let mut lines = [vec![7; 4 * 61], vec![9; 4 * 61]];
+                scalar(texture, Row::of(&strip, row, 0), &mut lines[0]);
+                simd(texture, Row::of(&strip, row, 0), &mut lines[1]);
+                let difference = largest_difference(&lines[0], &lines[1]);
+                let what = (quality, texture.wrap(), texture.light(), texture.size());
+                assert!(difference <= 1.0, "{what:?}: {difference} levels apart");
+            }
+        }
+    }
+
+    #[wasm_bindgen_test]
+    fn simd_and_scalar_kernels_are_at_most_one_level_apart() {
+        let mut random = Random(1);
+        for size in [[64, 64], [37, 5], [1, 90], [1, 1]] {
+            for (light, veiled) in [(Light::Linear, 0.0), (Light::Plain, 0.0), (Light::Linear, 0.5)] {
+                let picture = random.picture(size, veiled);
+                let texture = |wrap| {
+                    let built = Texture::new(&picture, size[0], size[1], wrap, light);
+                    built.unwrap_or_else(|error| panic!("{error}"))
+                };
+                compare::<Unchanged>(&texture(Wrap::Transparent), &mut random);
+                compare::<Clamped>(&texture(Wrap::Clamp), &mut random);
+                compare::<Repeated>(&texture(Wrap::Repeat), &mut random);
+                compare::<Mirrored>(&texture(Wrap::Mirror), &mut random);
+            }
+        }
     }
 }
