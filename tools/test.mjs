@@ -15,7 +15,7 @@ await main(async () => {
   await step("formatting (cargo fmt)", () => run("cargo", ["fmt", "--check"]));
   const deny = ["--", "-D", "warnings"];
   await step("clippy, native", (note) => run("cargo", ["clippy", "--all-targets", ...deny], { note }));
-  await step("clippy, wasm32", (note) => run("cargo", ["clippy", "--lib", ...wasmTests(), ...deny], { note }));
+  await step("clippy, wasm32", (note) => run("cargo", ["clippy", ...wasmTests(), ...deny], { note }));
   await step("types of the page and the scripts (tsc)", () =>
     run(process.execPath, [join("node_modules", "typescript", "bin", "tsc"), "-p", "."]),
   );
@@ -42,12 +42,12 @@ async function installComponents() {
   }
 }
 
-/** Cargo's arguments for the tests that run in wasm: tests/wasm_*.rs. */
+/** Cargo's arguments for the tests that run in wasm: those inside the library, and tests/wasm_*.rs. */
 function wasmTests() {
   const names = readdirSync(join(root, "tests")).filter((name) => /^wasm_.*\.rs$/.test(name));
   if (names.length === 0) throw new Failure("tests/ holds no wasm_*.rs.");
   const chosen = names.flatMap((name) => ["--test", name.slice(0, -".rs".length)]);
-  return ["--target", "wasm32-unknown-unknown", ...chosen];
+  return ["--target", "wasm32-unknown-unknown", "--lib", ...chosen];
 }
 
 /**
