@@ -8,9 +8,10 @@ import { Failure, root, run, step } from "./steps.mjs";
 import { wasmBindgen } from "./setup.mjs";
 
 const target = "wasm32-unknown-unknown";
-const compiled = join(root, "target", target, "release", "conformal_warp.wasm");
+const built = join(process.env.CARGO_TARGET_DIR ?? join(root, "target"), target, "release");
+const compiled = join(built, "conformal_warp.wasm");
 const pkg = join(root, "pkg");
-const stamp = join(pkg, ".made-from");
+const stamp = join(built, "package.stamp");
 
 /** Builds `pkg/` and `www/pkg/`. cargo decides about compiling; the rest is skipped while its inputs are the same. */
 export async function buildPackage() {
@@ -18,8 +19,10 @@ export async function buildPackage() {
     run("cargo", ["build", "--release", "--lib", "--target", target], { note }),
   );
   const inputs = fingerprint();
-  if (existsSync(stamp) && readFileSync(stamp, "utf8") === inputs && existsSync(join(root, "www", "pkg"))) return;
+  const present = [stamp, join(pkg, "index.js"), join(root, "www", "pkg", "index.js")].every((file) => existsSync(file));
+  if (present && readFileSync(stamp, "utf8") === inputs) return;
 
+  rmSync(stamp, { force: true });
   rmSync(pkg, { recursive: true, force: true });
   await step("wasm-bindgen", () => run(wasmBindgen, [compiled, "--target", "web", "--out-dir", pkg]));
   await step("wasm-opt", optimise);
