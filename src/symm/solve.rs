@@ -148,6 +148,7 @@ fn adapt(
 fn order_for(options: &SolveOptions, panels: usize) -> Result<Order> {
     let digits = -options.tolerance.log10();
     let best = match digits {
+        d if d < 3.5 && panels > 2000 => 2,
         d if d < 3.5 => 3,
         d if d < 4.5 => 4,
         d if d < 6.5 => 6,
