@@ -2,9 +2,11 @@
 
 mod compose;
 pub mod cortex;
+mod evaluate;
 mod formula;
 mod inverse;
 mod moebius;
+mod region_map;
 mod riemann;
 mod solved;
 
@@ -12,11 +14,12 @@ pub use compose::Compose;
 pub use formula::FormulaMap;
 pub use inverse::{Inverse, InvertibleMap};
 pub use moebius::Moebius;
+pub use region_map::RegionMap;
 
 use crate::plane::Complex64;
 
 pub use crate::symm::solve::{Progress, SolveOptions, Stop};
-pub use riemann::RiemannMap;
+pub use riemann::{DiskPoint, RiemannMap};
 
 /// A map's value at a point and its first derivatives there.
 ///

@@ -83,7 +83,21 @@ impl BoundaryCorrespondence {
         self.complex_measure(discretisation, q, Complex64::new(tau, 0.0)).re
     }
 
-    /// The same, continued analytically to complex τ: 2π times it is −i log f beside the boundary.
+    /// Measure from vertex 0 to the point of `edge` at the given distances (scaled units) from its ends. Both are asked for
+    /// because panels are measured from the nearer corner.
+    #[must_use]
+    pub fn measure_on_edge(&self, discretisation: &Discretisation, edge: usize, from_start: f64, from_end: f64) -> f64 {
+        let panels = self.panels_of_edge(edge);
+        let distance = |q: usize| if discretisation.panels[q].outgoing { from_start } else { from_end };
+        let reached = |q: &usize| {
+            let panel = &discretisation.panels[*q];
+            if panel.outgoing { distance(*q) <= panel.end } else { distance(*q) >= panel.start }
+        };
+        let q = panels.clone().find(reached).unwrap_or(panels.end - 1);
+        self.measure(discretisation, q, discretisation.panels[q].tau_at(distance(q)))
+    }
+
+    /// The same as [`BoundaryCorrespondence::measure`], continued analytically to complex τ: 2π times it is −i log f beside the boundary.
     #[must_use]
     pub fn complex_measure(&self, discretisation: &Discretisation, q: usize, tau: Complex64) -> Complex64 {
         let within = self.mass_up_to(q, tau);

@@ -15,7 +15,8 @@
 //! - [`system`] solves them: by factorisation ([`lu`]) when small, else by iteration ([`gmres`]) with a preconditioner
 //!   ([`two_level`]) and products from stored entries ([`influence`]) or expansions ([`fast_multipole`], [`clusters`]);
 //! - [`solve`] refines until the estimate meets the tolerance; [`center`] moves the center of what is solved;
-//! - [`solution`] is the answer: [`correspondence`] on the boundary, [`potential`] inside.
+//! - [`solution`] is the answer: [`correspondence`] on the boundary, [`potential`] inside, [`local_series`] there
+//!   as power series.
 //!
 //! [`smooth`] does all this, more simply, for smooth curves.
 
@@ -28,6 +29,7 @@ pub mod fast_multipole;
 pub mod gmres;
 pub mod influence;
 pub mod legendre;
+pub mod local_series;
 pub mod log_moments;
 pub mod lu;
 pub mod panel;

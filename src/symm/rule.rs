@@ -212,6 +212,25 @@ impl PanelRule {
         self.blocks.chunks_exact(self.p).map(|row| row.iter().zip(masses).map(|(w, x)| w * x).sum()).collect()
     }
 
+    /// Dyadic levels towards the corner; 0 for a regular panel.
+    #[must_use]
+    pub fn levels(&self) -> usize {
+        self.levels
+    }
+
+    /// Of [`PanelRule::charges`]: the masses on the nodes of `Order::piece` in [0, 2^(−l)], which have the moments of what
+    /// lies there. `l` is at most the number of levels.
+    #[must_use]
+    pub fn union_charges<'a>(&self, l: usize, charges: &'a [f64]) -> &'a [f64] {
+        &charges[Self::union_block(l) * self.m..][..self.m]
+    }
+
+    /// The same in [2^(−l−1), 2^(−l)], `l` below the number of levels.
+    #[must_use]
+    pub fn piece_charges<'a>(&self, l: usize, charges: &'a [f64]) -> &'a [f64] {
+        &charges[self.piece_block(l) * self.m..][..self.m]
+    }
+
     /// ∫ log(u − s) dμ(s), principal logarithm, at a target u (panel scaled to [0, 1]) of the given charges;
     /// `log_scale` is added to every logarithm.
     #[must_use]

@@ -52,17 +52,7 @@ impl Solution {
         let discretisation = self.discretisation();
         let length = discretisation.boundary.lengths[point.edge];
         let (from_start, from_end) = (point.t * length, (1.0 - point.t) * length);
-        let panels = self.correspondence.panels_of_edge(point.edge);
-        let last = panels.end - 1;
-        for q in panels {
-            let panel = &discretisation.panels[q];
-            let s = if panel.outgoing { from_start } else { from_end };
-            let within = if panel.outgoing { s <= panel.end } else { s >= panel.start };
-            if within || q == last {
-                return self.correspondence.measure(discretisation, q, panel.tau_at(s));
-            }
-        }
-        0.0
+        self.correspondence.measure_on_edge(discretisation, point.edge, from_start, from_end)
     }
 
     /// Measure from vertex 0 → the edge and the share of it where that is reached.

@@ -1,0 +1,153 @@
+//! The maps of one region for several centers, and how they are linked.
+
+use super::link::Link;
+use super::power_series::exp_without_constant;
+use super::walls::Walls;
+use super::zone::Zones;
+use crate::plane::Complex64;
+use crate::symm::local_series::LocalSeries;
+use crate::symm::solve::{Solution, SolveOptions, solve_again};
+
+/// One center's map region → disk, with vertex 0 ↦ 1 (scaled units).
+#[derive(Clone, Debug)]
+pub struct Chart {
+    solution: Solution,
+    series: LocalSeries,
+    /// Where its boundary has one power series.
+    pub zones: Zones,
+}
+
+impl Chart {
+    fn new(solution: &Solution, walls: &Walls) -> Self {
+        let discretisation = solution.discretisation();
+        let boundary = &discretisation.boundary;
+        let mut chart = Self {
+            series: LocalSeries::new(&solution),
+            zones: Zones::new(boundary, walls, solution.center),
+            solution: solution.clone(),
+        };
+        chart.zones.measures = chart.zones.list.iter().map(|zone| chart.measure(zone.on_edge(boundary, 0.0))).collect();
+        chart
+    }
+
+    /// Writes the coefficients of tᵏ of the map at `center` + `radius`·t.
+    pub fn expand(&self, center: Complex64, radius: f64, coefficients: &mut [Complex64]) {
+        let mut log = [Complex64::ZERO; MAX_COEFFICIENTS];
+        let log = &mut log[..coefficients.len()];
+        self.series.expand(center, radius, log);
+        log.iter_mut().for_each(|b| *b = -*b);
+        exp_without_constant(log, coefficients);
+        // Times (z − z₀) e^{log₀}.
+        let scale = log[0].exp();
+        let (constant, linear) = (scale * (center - self.solution.center), scale * radius);
+        for k in (1..coefficients.len()).rev() {
+            coefficients[k] = coefficients[k] * constant + coefficients[k - 1] * linear;
+        }
+        coefficients[0] *= constant;
+    }
+
+    /// The map by direct summation, anywhere in the region.
+    #[must_use]
+    pub fn direct(&self, z: Complex64) -> Complex64 {
+        self.solution.potential.map(self.solution.discretisation(), self.solution.center, z)
+    }
+
+    /// Harmonic measure from vertex 0 to the point of `edge` at the given distances from its ends.
+    #[must_use]
+    pub fn measure(&self, (edge, from_start, from_end): (usize, f64, f64)) -> f64 {
+        self.solution.correspondence.measure_on_edge(self.solution.discretisation(), edge, from_start, from_end)
+    }
+
+    fn bytes(&self) -> usize {
+        self.series.bytes() + std::mem::size_of_val(&self.zones.list[..])
+    }
+}
+
+/// More coefficients than any cell has.
+pub const MAX_COEFFICIENTS: usize = 32;
+
+/// Charts, the first of which belongs to the region's own center.
+#[derive(Clone, Debug)]
+pub struct Atlas {
+    /// The charts.
+    pub charts: Vec<Chart>,
+    /// `links[i][j]`: chart j → chart i.
+    links: Vec<Vec<Link>>,
+    /// The boundary, asked for distances.
+    pub walls: Walls,
+    options: SolveOptions,
+}
+
+/// More centers than any region needs that double precision can describe.
+const MAX_CHARTS: usize = 64;
+/// A neighbouring chart serves better where it stretches by this much more.
+const BETTER: f64 = 1.2;
+
+impl Atlas {
+    /// With the region's own center only.
+    #[must_use]
+    pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
+        let walls = Walls::new(&solution.discretisation().boundary);
+        let charts = vec![Chart::new(solution, &walls)];
+        Self { charts, links: vec![vec![Link::IDENTITY]], walls, options: options.clone() }
+    }
+
+    /// Chart `from` → chart `to`.
+    #[must_use]
+    pub fn link(&self, to: usize, from: usize) -> &Link {
+        &self.links[to][from]
+    }
+
+    /// Adds a chart around `center`, where chart `parent` is still good. False if there are too many, or no map was found.
+    pub fn add(&mut self, center: Complex64, parent: usize) -> bool {
+        let first = &self.charts[0].solution;
+        let unit = first.discretisation().boundary.unit;
+        let near = &self.charts[parent];
+        if self.charts.len() >= MAX_CHARTS {
+            return false;
+        }
+        let Ok(solution) = solve_again(&near.solution, center / unit, &self.options, &mut |_, _| true) else {
+            return false;
+        };
+        let chart = Chart::new(&solution, &self.walls);
+        let (mut there, mut back) = ([Complex64::ZERO; 2], [Complex64::ZERO; 2]);
+        near.expand(center, TINY, &mut there);
+        chart.expand(near.solution.center, TINY, &mut back);
+        let from_parent = Link::new(there[0], back[0]);
+        let mut row: Vec<Link> =
+            (0..self.charts.len()).map(|from| from_parent.after(&self.links[parent][from])).collect();
+        for (to, links) in self.links.iter_mut().enumerate() {
+            links.push(row[to].inverse());
+        }
+        row.push(Link::IDENTITY);
+        self.links.push(row);
+        self.charts.push(chart);
+        true
+    }
+
+    /// Expands the map of the chart that serves best around `center`, tried from `hint` on; returns which it is.
+    pub fn expand_best(&self, hint: usize, center: Complex64, radius: f64, coefficients: &mut [Complex64]) -> usize {
+        let mut best = hint;
+        self.charts[best].expand(center, radius, coefficients);
+        for _ in 1..self.charts.len() {
+            let stretch = |to: usize| self.links[to][best].stretch(coefficients[0]);
+            let others = (0..self.charts.len()).filter(|&to| to != best);
+            let Some(next) = others.max_by(|&i, &j| stretch(i).total_cmp(&stretch(j))) else { break };
+            if stretch(next) < BETTER {
+                break;
+            }
+            best = next;
+            self.charts[best].expand(center, radius, coefficients);
+        }
+        best
+    }
+
+    /// Bytes of memory, about.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.charts.iter().map(Chart::bytes).sum()
+    }
+}
+
+/// Radius of a series of which only the value counts.
+const TINY: f64 = 1e-30;

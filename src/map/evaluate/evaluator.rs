@@ -1,0 +1,146 @@
+//! Either kind of region's map, both ways, in plane units.
+
+use super::super::solved::Solved;
+use super::{BEYOND_CIRCLE, DiskPoint, Expansions};
+use crate::plane::{Complex64, Region};
+use crate::symm::smooth::SmoothSolution;
+use crate::symm::solve::SolveOptions;
+use std::f64::consts::TAU;
+
+/// Region ↔ disk with vertex 0 ↦ 1.
+#[derive(Debug)]
+pub enum Evaluator {
+    /// Expansions around many points.
+    Polygon {
+        /// In scaled units.
+        expansions: Box<Expansions>,
+        /// Plane units × unit = scaled units.
+        unit: f64,
+    },
+    /// Cauchy's formula, which needs nothing built.
+    Smooth {
+        /// The curve.
+        region: Box<Region>,
+        /// Values on it.
+        solution: Box<SmoothSolution>,
+    },
+}
+
+/// In units of the disk, or of the region's size: nearer to the boundary than this is on it.
+const ON_BOUNDARY: f64 = 4.0 * f64::EPSILON;
+
+impl Evaluator {
+    /// Builds what the kind of region needs.
+    #[must_use]
+    pub(in super::super) fn new(region: &Region, solved: &Solved, options: &SolveOptions) -> Self {
+        match solved {
+            Solved::Polygon(solution) => Self::Polygon {
+                expansions: Box::new(Expansions::new(solution, options)),
+                unit: solution.discretisation().boundary.unit,
+            },
+            Solved::Smooth(solution) => {
+                Self::Smooth { region: Box::new(region.clone()), solution: Box::new(solution.clone()) }
+            }
+        }
+    }
+
+    /// Region → disk; `None` outside the closed region.
+    #[inline]
+    #[must_use]
+    pub fn to_disk(&self, z: Complex64) -> Option<DiskPoint> {
+        match self {
+            Self::Polygon { expansions, unit } => expansions.to_disk(z * unit),
+            Self::Smooth { .. } => self.to_disk_with_slope(z).map(|(w, _)| DiskPoint::flat(w)),
+        }
+    }
+
+    /// Region → disk, flat, with the derivative.
+    #[inline]
+    #[must_use]
+    pub fn to_disk_with_slope(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        match self {
+            Self::Polygon { expansions, unit } => {
+                let (w, slope) = expansions.to_disk_with_slope(z * unit)?;
+                Some((w, slope * unit))
+            }
+            Self::Smooth { region, solution } => {
+                if !region.contains(z) {
+                    return None;
+                }
+                let (w, slope) = solution.to_disk(z);
+                let nearest = region.nearest(z);
+                if (nearest.point - z).norm() > ON_BOUNDARY * region.polygon().size() {
+                    return Some((w, slope));
+                }
+                let measure = solution.measure(solution.curve().parameter(nearest));
+                Some((Complex64::cis(TAU * measure), slope))
+            }
+        }
+    }
+
+    /// The point as a number.
+    #[inline]
+    #[must_use]
+    pub fn flat(&self, point: DiskPoint) -> Complex64 {
+        match self {
+            Self::Polygon { expansions, .. } => expansions.flat(point),
+            Self::Smooth { .. } => point.w,
+        }
+    }
+
+    /// Disk → region; `None` outside the closed disk.
+    #[inline]
+    #[must_use]
+    pub fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
+        match self {
+            Self::Polygon { expansions, unit } => expansions.from_disk(point).map(|z| z / unit),
+            Self::Smooth { .. } => self.smooth_from_disk(point.w),
+        }
+    }
+
+    /// Disk → region, flat, with the derivative.
+    #[inline]
+    #[must_use]
+    pub fn from_disk_with_slope(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+        match self {
+            Self::Polygon { expansions, unit } => {
+                let (z, slope) = expansions.from_disk_with_slope(w)?;
+                Some((z / unit, slope / unit))
+            }
+            Self::Smooth { solution, .. } => {
+                let z = self.smooth_from_disk(w)?;
+                Some((z, solution.to_disk(z).1.inv()))
+            }
+        }
+    }
+
+    fn smooth_from_disk(&self, w: Complex64) -> Option<Complex64> {
+        let Self::Smooth { solution, .. } = self else { return None };
+        let square = w.norm_sqr();
+        if !(square <= BEYOND_CIRCLE) {
+            return None;
+        }
+        if (square - 1.0).abs() <= 2.0 * ON_BOUNDARY {
+            return Some(solution.curve().place(solution.parameter(w.arg() / TAU)).point);
+        }
+        Some(solution.from_disk(w))
+    }
+
+    /// Number of centers whose maps are linked.
+    #[must_use]
+    pub fn charts(&self) -> usize {
+        match self {
+            Self::Polygon { expansions, .. } => expansions.charts(),
+            Self::Smooth { .. } => 1,
+        }
+    }
+
+    /// Bytes of memory beyond the solution, about.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        match self {
+            Self::Polygon { expansions, .. } => expansions.bytes(),
+            Self::Smooth { .. } => 0,
+        }
+    }
+}

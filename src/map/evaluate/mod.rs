@@ -1,0 +1,268 @@
+//! The map as a function, both ways, a million points at a time.
+//!
+//! ```text
+//! solution ─► atlas: charts (one for each center), links ─► region side: cells and patches ─► disk side, one a chart
+//! ```
+//! A cell is a square with a Taylor polynomial; the potential's series comes from multipole expansions. A patch is a zone
+//! beside the boundary with one real power series in the variable that straightens the boundary, so that the walls are
+//! exact and corners harmless. Where the map of the region's own center crowds everything together, further centers have
+//! charts of their own, linked by automorphisms of the disk.
+
+mod atlas;
+mod disk_side;
+mod evaluator;
+mod fit;
+mod link;
+mod patch;
+mod power_series;
+mod quadtree;
+mod region_side;
+mod walls;
+mod zone;
+
+use crate::plane::Complex64;
+use crate::symm::solve::{Solution, SolveOptions};
+use atlas::Atlas;
+use disk_side::{DiskSide, Source};
+pub use evaluator::Evaluator;
+use region_side::RegionSide;
+use std::fmt;
+
+/// How accurate expansions should be.
+#[derive(Clone, Copy, Debug)]
+pub struct Accuracy {
+    /// Largest error of an expansion: of w in the unit disk, of z relative to the region's size.
+    tolerance: f64,
+    /// The solve's own.
+    solve_error: f64,
+}
+
+/// Expansions err by at most this share of the solve.
+const SHARE_OF_ERROR: f64 = 0.03;
+
+impl Accuracy {
+    fn of(solution: &Solution) -> Self {
+        Self {
+            tolerance: (SHARE_OF_ERROR * solution.error_estimate).clamp(1e-13, 1e-6),
+            solve_error: solution.error_estimate,
+        }
+    }
+
+    fn digits(self) -> f64 {
+        -self.tolerance.log10()
+    }
+
+    /// Degree of a patch's series, whose terms fall like 0.4ᵏ.
+    fn patch_degree(self) -> usize {
+        (2.2 * self.digits()).ceil() as usize
+    }
+
+    /// Most coefficients of a cell's polynomial.
+    fn cell_terms(self) -> usize {
+        (6 + self.digits() as usize).clamp(10, 20)
+    }
+
+    /// How many coefficients are needed for a tolerance; `None` if there are too few.
+    fn terms_needed(self, coefficients: &[Complex64], tolerance: f64) -> Option<usize> {
+        let mut count = coefficients.len();
+        // What lies beyond the end is about as large as the last two.
+        let mut tail = coefficients[count - 1].norm() + coefficients[count - 2].norm();
+        if !(tail <= 0.5 * tolerance) {
+            return None;
+        }
+        while count > 2 {
+            tail += coefficients[count - 1].norm();
+            if tail > tolerance {
+                break;
+            }
+            count -= 1;
+        }
+        Some(count)
+    }
+
+    /// How many coefficients say something, if the last ones do not fall any more but are `noise`: where charts and patches
+    /// meet, samples jump by a part of the solve's error.
+    fn terms_above_noise(self, coefficients: &[Complex64], noise: f64) -> Option<usize> {
+        let largest = |part: &[Complex64]| part.iter().map(|c| c.norm()).fold(0.0, f64::max);
+        let quarter = coefficients.len() / 4;
+        let last = largest(&coefficients[coefficients.len() - quarter..]);
+        let before = largest(&coefficients[coefficients.len() - 2 * quarter..coefficients.len() - quarter]);
+        if !(last <= noise && last >= FLAT * before) {
+            return None;
+        }
+        let kept = coefficients.iter().rposition(|c| c.norm() > 2.0 * last)?;
+        Some((kept + 1).max(2))
+    }
+}
+
+/// Coefficients of an analytic function fall by more than this over a quarter of them.
+const FLAT: f64 = 0.3;
+
+/// What a leaf of a tree says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Leaf {
+    Cell(u32),
+    Patch(u32),
+    Outside,
+    /// On the region's side: sum directly, for this chart. On the disk's: ask this chart.
+    Other(u32),
+}
+
+impl From<u32> for Leaf {
+    #[inline]
+    fn from(number: u32) -> Self {
+        match number & 3 {
+            0 => Self::Cell(number >> 2),
+            1 => Self::Patch(number >> 2),
+            2 => Self::Other(number >> 2),
+            _ => Self::Outside,
+        }
+    }
+}
+
+impl From<Leaf> for u32 {
+    fn from(leaf: Leaf) -> Self {
+        match leaf {
+            Leaf::Cell(index) => index << 2,
+            Leaf::Patch(index) => index << 2 | 1,
+            Leaf::Other(chart) => chart << 2 | 2,
+            Leaf::Outside => 3,
+        }
+    }
+}
+
+/// A point of the closed disk in the chart where it is told apart best.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiskPoint {
+    chart: usize,
+    w: Complex64,
+}
+
+impl DiskPoint {
+    /// No point.
+    pub const NOWHERE: Self = Self { chart: 0, w: Complex64::new(f64::NAN, f64::NAN) };
+
+    /// A point that is given by a number.
+    pub(super) fn flat(w: Complex64) -> Self {
+        Self { chart: 0, w }
+    }
+}
+
+/// The maps region ↔ disk of a polygon's solution, with vertex 0 ↦ 1, in scaled units.
+pub struct Expansions {
+    atlas: Atlas,
+    region: RegionSide,
+    disks: Vec<DiskSide>,
+}
+
+impl Expansions {
+    /// Builds both ways.
+    #[must_use]
+    pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
+        let boundary = &solution.discretisation().boundary;
+        let accuracy = Accuracy::of(solution);
+        let mut atlas = Atlas::new(solution, options);
+        let mut region = RegionSide::new(boundary, &mut atlas, accuracy);
+        let disks =
+            (0..atlas.charts.len()).map(|chart| DiskSide::new(&atlas, &mut region, chart, 1.0, accuracy)).collect();
+        Self { atlas, region, disks }
+    }
+
+    /// Region → disk; `None` outside the closed region.
+    #[inline]
+    #[must_use]
+    pub fn to_disk(&self, z: Complex64) -> Option<DiskPoint> {
+        self.region.at(&self.atlas, z).map(|(chart, w)| DiskPoint { chart, w })
+    }
+
+    /// Region → disk, flat, with the derivative.
+    #[inline]
+    #[must_use]
+    pub fn to_disk_with_slope(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        let (chart, w, slope) = self.region.with_slope(&self.atlas, z)?;
+        if chart == 0 {
+            return Some((w, slope));
+        }
+        let link = self.atlas.link(0, chart);
+        Some((link.apply(w), slope * link.slope(w)))
+    }
+
+    /// The point as a number.
+    #[inline]
+    #[must_use]
+    pub fn flat(&self, point: DiskPoint) -> Complex64 {
+        if point.chart == 0 { point.w } else { onto_disk(self.atlas.link(0, point.chart).apply(point.w)) }
+    }
+
+    /// Disk → region; `None` outside the closed disk.
+    #[inline]
+    #[must_use]
+    pub fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
+        self.follow(point, |disk, w| disk.at(&self.region, w)).map(|(z, _, _)| z)
+    }
+
+    /// Disk → region, flat, with the derivative.
+    #[inline]
+    #[must_use]
+    pub fn from_disk_with_slope(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+        let (z, slope, chart) = self.follow(DiskPoint::flat(w), |disk, w| disk.with_slope(&self.region, w))?;
+        if chart == 0 {
+            return Some((z, slope));
+        }
+        Some((z, slope * self.atlas.link(chart, 0).slope(w)))
+    }
+
+    /// Asks charts until one knows the point: it, the derivative in the chart that knew, and that chart.
+    #[inline]
+    fn follow(
+        &self,
+        DiskPoint { mut chart, mut w }: DiskPoint,
+        ask: impl Fn(&DiskSide, Complex64) -> Source,
+    ) -> Option<(Complex64, Complex64, usize)> {
+        if !(w.norm_sqr() <= BEYOND_CIRCLE) {
+            return None;
+        }
+        for _ in 0..=self.disks.len() {
+            match ask(&self.disks[chart], w) {
+                Source::Point(z, slope) => return Some((z, slope, chart)),
+                Source::Nowhere => return None,
+                Source::Chart(next) => {
+                    // Rounding may have put it outside, and what is far away from the next center becomes large there.
+                    w = onto_disk(self.atlas.link(next, chart).apply(w));
+                    chart = next;
+                }
+            }
+        }
+        None
+    }
+
+    /// Number of centers that have a chart.
+    #[must_use]
+    pub fn charts(&self) -> usize {
+        self.disks.len()
+    }
+
+    /// Bytes of memory, about.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.atlas.bytes() + self.region.bytes() + self.disks.iter().map(DiskSide::bytes).sum::<usize>()
+    }
+}
+
+/// |w|² of points that are on the circle up to rounding.
+const BEYOND_CIRCLE: f64 = 1.0 + 8.0 * f64::EPSILON;
+
+/// The point of the closed disk nearest to `w`.
+fn onto_disk(w: Complex64) -> Complex64 {
+    let square = w.norm_sqr();
+    if square > 1.0 { w / square.sqrt() } else { w }
+}
+
+impl fmt::Debug for Expansions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Expansions")
+            .field("charts", &self.charts())
+            .field("bytes", &self.bytes())
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,160 @@
+//! The map beside the boundary: one real power series in the variable of a zone.
+
+use super::atlas::{Chart, MAX_COEFFICIENTS};
+use super::fit::Fit;
+use super::power_series::{invert, real_value, real_value_and_slope, value};
+use super::zone::{Place, SHARE, Zone};
+use crate::plane::Complex64;
+use crate::symm::panel::Boundary;
+use std::f64::consts::{PI, TAU};
+
+/// log f = i(θ₀ + Σ cₖ τᵏ) in a zone. As the coefficients are real, the boundary goes to the circle exactly (Schwarz's
+/// reflection), and points beside it keep the relative accuracy of their distances.
+#[derive(Clone, Debug)]
+pub struct Patch {
+    /// Which chart's map it is.
+    pub chart: usize,
+    /// Where it is used.
+    pub zone: Zone,
+    /// θ at the zone's middle.
+    theta: f64,
+    coefficients: Vec<f64>,
+    /// First guess of the inverse.
+    inverse: [f64; 6],
+}
+
+/// Coefficients of the series that sample the map on the arc.
+const TERMS: usize = 24;
+
+impl Patch {
+    /// Fits the map of a chart, the boundary correspondence on the diameter and the potential on the arc.
+    #[must_use]
+    pub fn new(boundary: &Boundary, chart: &Chart, index: usize, zone: Zone, fit: &Fit) -> Self {
+        let start = chart.measure(zone.on_edge(boundary, 0.0));
+        let turned = |x: &f64| {
+            let measure = chart.measure(zone.on_edge(boundary, *x)) - start;
+            TAU * (measure - measure.round())
+        };
+        let on_diameter: Vec<f64> = fit.diameter.iter().map(turned).collect();
+        let theta = TAU * start;
+        let mut previous = turned(&1.0);
+        let mut sampler = Sampler::new(chart);
+        let on_arc: Vec<Complex64> = fit
+            .arc
+            .iter()
+            .map(|&tau| {
+                let w = sampler.at(&zone, tau);
+                let turn = w.arg() - theta - previous;
+                previous += turn - TAU * (turn / TAU).round();
+                Complex64::new(previous, -0.5 * w.norm_sqr().ln())
+            })
+            .collect();
+        let coefficients = fit.coefficients(&on_diameter, &on_arc);
+        let mut inverse = [0.0; 6];
+        invert(&coefficients, &mut inverse);
+        Self { chart: index, zone, theta, coefficients, inverse }
+    }
+
+    /// z → w; `None` outside the region.
+    #[inline]
+    #[must_use]
+    pub fn value(&self, z: Complex64) -> Option<Complex64> {
+        match self.zone.place(z) {
+            Place::At(tau) => Some(self.on_disk(real_value(&self.coefficients, tau))),
+            Place::Outside => None,
+        }
+    }
+
+    /// The same with f'.
+    #[must_use]
+    pub fn value_and_slope(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        let Place::At(tau) = self.zone.place(z) else { return None };
+        let w = self.on_disk(real_value(&self.coefficients, tau));
+        let (_, slope) = real_value_and_slope(&self.coefficients, tau);
+        Some((w, Complex64::i() * w * slope * self.zone.slope(tau)))
+    }
+
+    fn on_disk(&self, angle: Complex64) -> Complex64 {
+        Complex64::from_polar((-angle.im).exp(), self.theta + angle.re)
+    }
+
+    /// w → τ; points on the circle (and not more than rounding outside) give real τ.
+    #[must_use]
+    pub fn straightened(&self, w: Complex64) -> Complex64 {
+        let turn = w.arg() - self.theta;
+        let depth = -0.5 * w.norm_sqr().ln();
+        let on_circle = depth.abs() <= 2.0 * f64::EPSILON;
+        let angle = Complex64::new(turn - TAU * (turn / TAU).round(), if on_circle { 0.0 } else { depth });
+        let mut guess = [Complex64::ZERO; 7];
+        guess[1..].iter_mut().zip(self.inverse).for_each(|(g, c)| g.re = c);
+        let mut tau = value(&guess, angle);
+        if !(tau.norm_sqr() < 4.0) {
+            tau = angle * self.inverse[0];
+        }
+        for _ in 0..MOST_STEPS {
+            let (miss, slope) = real_value_and_slope(&self.coefficients, tau);
+            let step = (miss - angle) / slope;
+            tau -= step;
+            if !(step.norm_sqr() > STEP * STEP * tau.norm_sqr()) {
+                break;
+            }
+        }
+        if on_circle { Complex64::new(tau.re, 0.0) } else { tau }
+    }
+
+    /// dz/dw where τ is known.
+    #[must_use]
+    pub fn inverse_slope(&self, tau: Complex64, w: Complex64) -> Complex64 {
+        let (_, slope) = real_value_and_slope(&self.coefficients, tau);
+        (Complex64::i() * w * slope * self.zone.slope(tau)).inv()
+    }
+
+    /// |f'| at the top of the zone.
+    #[must_use]
+    pub fn typical_slope(&self) -> f64 {
+        let top = Complex64::i();
+        let (_, slope) = real_value_and_slope(&self.coefficients, top);
+        (slope * self.zone.slope(top)).norm() * (-real_value(&self.coefficients, top).im).exp()
+    }
+
+    /// Bytes of memory.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        std::mem::size_of::<Self>() + 8 * self.coefficients.len()
+    }
+}
+
+/// Newton's method ends after a step this small, the next being below rounding.
+const STEP: f64 = 1e-9;
+const MOST_STEPS: usize = 12;
+
+/// The map at neighbouring points inside a zone, from as few power series as serve.
+struct Sampler<'a> {
+    chart: &'a Chart,
+    center: Complex64,
+    radius: f64,
+    coefficients: [Complex64; TERMS],
+}
+
+const _: () = assert!(TERMS <= MAX_COEFFICIENTS);
+
+impl<'a> Sampler<'a> {
+    fn new(chart: &'a Chart) -> Self {
+        Self { chart, center: Complex64::ZERO, radius: 0.0, coefficients: [Complex64::ZERO; TERMS] }
+    }
+
+    fn at(&mut self, zone: &Zone, tau: Complex64) -> Complex64 {
+        let z = zone.point(tau);
+        if (z - self.center).norm() > self.radius {
+            let from = (z - zone.origin).norm();
+            // From the nearer wall of the sector, and from everything outside the zone.
+            let angle = (tau.arg().min(PI - tau.arg()) * zone.alpha).min(0.5 * PI);
+            let clear = (from * angle.sin()).min(zone.reach / SHARE.powf(zone.alpha) - from);
+            let corner = if zone.alpha == 1.0 { f64::INFINITY } else { 0.3 * from };
+            self.center = z;
+            self.radius = (0.6 * clear).min(corner);
+            self.chart.expand(z, self.radius, &mut self.coefficients);
+        }
+        value(&self.coefficients, (z - self.center) / self.radius)
+    }
+}

@@ -1,0 +1,108 @@
+//! Truncated power series.
+
+use crate::plane::Complex64;
+
+/// Σ cₖ tᵏ.
+#[inline]
+#[must_use]
+pub fn value(coefficients: &[Complex64], t: Complex64) -> Complex64 {
+    coefficients.iter().rev().fold(Complex64::ZERO, |sum, c| sum * t + c)
+}
+
+/// Σ cₖ tᵏ and Σ k cₖ tᵏ⁻¹.
+#[inline]
+#[must_use]
+pub fn value_and_slope(coefficients: &[Complex64], t: Complex64) -> (Complex64, Complex64) {
+    coefficients.iter().rev().fold((Complex64::ZERO, Complex64::ZERO), |(sum, slope), c| (sum * t + c, slope * t + sum))
+}
+
+/// Σ cₖ tᵏ⁺¹ for real coefficients. The imaginary part keeps its relative accuracy beside the real axis: it is Im t times
+/// a sum (Goertzel's recurrence).
+#[inline]
+#[must_use]
+pub fn real_value(coefficients: &[f64], t: Complex64) -> Complex64 {
+    let (twice, square) = (2.0 * t.re, t.norm_sqr());
+    let (mut here, mut above) = (0.0, 0.0);
+    for c in coefficients.iter().rev() {
+        (here, above) = (c + twice * here - square * above, here);
+    }
+    t * here - square * above
+}
+
+/// Σ cₖ tᵏ⁺¹ and its derivative, for real coefficients.
+#[inline]
+#[must_use]
+pub fn real_value_and_slope(coefficients: &[f64], t: Complex64) -> (Complex64, Complex64) {
+    let start = (Complex64::ZERO, Complex64::ZERO);
+    let (sum, slope) = coefficients.iter().rev().fold(start, |(sum, slope), c| (sum * t + c, slope * t + sum));
+    (sum * t, slope * t + sum)
+}
+
+/// Replaces the series a by exp(a − a₀).
+pub fn exp_without_constant(a: &[Complex64], result: &mut [Complex64]) {
+    result[0] = Complex64::ONE;
+    for k in 1..a.len() {
+        let sum: Complex64 = (1..=k).map(|j| a[j] * result[k - j] * j as f64).sum();
+        result[k] = sum / k as f64;
+    }
+}
+
+/// The inverse of y = Σ cₖ xᵏ⁺¹ near 0, as coefficients of y, y², …: as many as `inverse` holds.
+pub fn invert(c: &[f64], inverse: &mut [f64]) {
+    let n = inverse.len();
+    // Power j of the inverse is known up to order k before coefficient k is: c₁·b_k = −Σ_{j ≥ 2} cⱼ [yᵏ] b(y)ʲ.
+    inverse.fill(0.0);
+    inverse[0] = 1.0 / c[0];
+    for k in 1..n {
+        let mut power: Vec<f64> = inverse.to_vec();
+        let mut sum = 0.0;
+        for cj in c.iter().skip(1).take(k) {
+            // power ← power · inverse; both start at y¹, the product at y²: shift by one.
+            let mut next = vec![0.0; n];
+            for (i, p) in power.iter().enumerate() {
+                for (l, b) in inverse.iter().enumerate().take(n.saturating_sub(i + 1)) {
+                    next[i + l + 1] += p * b;
+                }
+            }
+            power = next;
+            sum += cj * power[k];
+        }
+        inverse[k] = -sum / c[0];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn real_series_agree_with_complex_ones() {
+        let real = [0.5, -1.25, 0.75, 2.0, -0.1];
+        let complex: Vec<Complex64> = std::iter::once(0.0).chain(real).map(|c| Complex64::new(c, 0.0)).collect();
+        for t in [Complex64::new(0.3, 0.8), Complex64::new(-0.9, 1e-12), Complex64::new(1.0, 0.0)] {
+            let (exact, slope) = value_and_slope(&complex, t);
+            let (sum, real_slope) = real_value_and_slope(&real, t);
+            assert!((real_value(&real, t) - exact).norm() < 1e-14 && (sum - exact).norm() < 1e-14);
+            assert!((real_slope - slope).norm() < 1e-14);
+            assert!((value(&complex, t) - exact).norm() < 1e-14);
+        }
+        let beside = real_value(&real, Complex64::new(0.5, 1e-13));
+        assert!((beside.im / 1e-13 / real_value_and_slope(&real, Complex64::new(0.5, 0.0)).1.re - 1.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn exponential_and_inverse() {
+        // exp(log(1 + t)) = 1 + t.
+        let log: Vec<Complex64> =
+            (0..9).map(|k| Complex64::new(if k == 0 { 7.0 } else { -(-1f64).powi(k) / f64::from(k) }, 0.0)).collect();
+        let mut exp = vec![Complex64::ZERO; 9];
+        exp_without_constant(&log, &mut exp);
+        for (k, e) in exp.iter().enumerate() {
+            assert!((e - if k < 2 { 1.0 } else { 0.0 }).norm() < 1e-15, "{k}: {e}");
+        }
+        // y = x/(1−x) has the inverse y/(1+y).
+        let mut inverse = [0.0; 6];
+        invert(&[1.0; 8], &mut inverse);
+        assert_eq!(inverse, [1.0, -1.0, 1.0, -1.0, 1.0, -1.0]);
+    }
+}

@@ -1,0 +1,98 @@
+//! Distances to the boundary.
+
+use crate::plane::Complex64;
+use crate::symm::panel::Boundary;
+use std::sync::Arc;
+
+/// The edges of the boundary, asked for the nearest.
+#[derive(Clone, Debug)]
+pub struct Walls {
+    boundary: Arc<Boundary>,
+    /// Whether the map is singular at each vertex: unless π is a multiple of the interior angle, it is.
+    singular: Vec<bool>,
+}
+
+/// The boundary point nearest to a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Nearest {
+    pub distance: f64,
+    pub edge: usize,
+    /// Distance from the start of the edge.
+    pub along: f64,
+    /// Whether the point lies in the region.
+    pub inside: bool,
+}
+
+impl Walls {
+    #[must_use]
+    pub fn new(boundary: &Arc<Boundary>) -> Self {
+        let regular = |alpha: &f64| (1.0 / alpha - (1.0 / alpha).round()).abs() < 1e-9;
+        let singular = boundary.alpha.iter().map(|alpha| !regular(alpha)).collect();
+        Self { boundary: Arc::clone(boundary), singular }
+    }
+
+    /// `z` in the coordinates of an edge: start at 0, along the real axis, the region above.
+    fn local(&self, z: Complex64, edge: usize) -> Complex64 {
+        (z - self.boundary.vertices[edge]) * self.boundary.directions[edge].conj()
+    }
+
+    fn distance(&self, z: Complex64, edge: usize) -> f64 {
+        let local = self.local(z, edge);
+        Complex64::new(local.re - local.re.clamp(0.0, self.boundary.lengths[edge]), local.im).norm_sqr().sqrt()
+    }
+
+    /// The nearest point on one of some edges, the nearest edge of all being among them.
+    #[must_use]
+    pub fn nearest(&self, z: Complex64, among: &[u32]) -> Nearest {
+        let mut best = (f64::INFINITY, 0, Complex64::ZERO);
+        for &edge in among {
+            let local = self.local(z, edge as usize);
+            let beyond = local.re - local.re.clamp(0.0, self.boundary.lengths[edge as usize]);
+            let square = beyond * beyond + local.im * local.im;
+            if square < best.0 {
+                best = (square, edge as usize, local);
+            }
+        }
+        let (square, edge, local) = best;
+        let along = local.re.clamp(0.0, self.boundary.lengths[edge]);
+        let vertex = if along == local.re {
+            None
+        } else if along == 0.0 {
+            Some(edge)
+        } else {
+            Some(self.boundary.next(edge))
+        };
+        // Nearest to a vertex from inside can only be where the corner is re-entrant.
+        let inside = match vertex.map(|k| self.boundary.alpha[k]) {
+            Some(alpha) if (alpha - 1.0).abs() > 1e-6 => alpha > 1.0,
+            _ => local.im > 0.0,
+        };
+        Nearest { distance: square.sqrt(), edge, along, inside }
+    }
+
+    /// Of some edges those that come as near as `limit`.
+    #[must_use]
+    pub fn within(&self, z: Complex64, among: &[u32], limit: f64) -> Vec<u32> {
+        among.iter().copied().filter(|&edge| self.distance(z, edge as usize) <= limit).collect()
+    }
+
+    /// Distance to the nearest end of some edges at which the map is singular.
+    #[must_use]
+    pub fn to_singular_vertex(&self, z: Complex64, among: &[u32]) -> f64 {
+        let ends = among.iter().flat_map(|&edge| [edge as usize, self.boundary.next(edge as usize)]);
+        let squares = ends.filter(|&k| self.singular[k]).map(|k| (z - self.boundary.vertices[k]).norm_sqr());
+        squares.fold(f64::INFINITY, f64::min).sqrt()
+    }
+
+    /// Distance of a point on `edge` from the other edges.
+    #[must_use]
+    pub fn clear_distance(&self, z: Complex64, edge: usize) -> f64 {
+        (0..self.boundary.len()).filter(|&k| k != edge).map(|k| self.distance(z, k)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// All edges.
+    #[must_use]
+    pub fn all(&self) -> Vec<u32> {
+        (0..self.boundary.len() as u32).collect()
+    }
+}
