@@ -1,6 +1,5 @@
 //! The map as a function: both ways against exact answers, each other and direct summation.
 #![cfg(not(target_arch = "wasm32"))]
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 mod common;
 

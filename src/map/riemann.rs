@@ -139,7 +139,7 @@ impl RiemannMap {
     #[must_use]
     pub fn from_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
         let (evaluator, turn) = (self.evaluator(), self.turn().conj());
-        points.iter().map(|w| evaluator.from_disk(DiskPoint::flat(turn * w)).unwrap_or(NOWHERE)).collect()
+        points.iter().map(|w| evaluator.to_region(DiskPoint::flat(turn * w)).unwrap_or(NOWHERE)).collect()
     }
 
     /// f' of the map region → disk, per plane unit. NaN outside the closed region; infinite at a re-entrant vertex.
@@ -160,7 +160,7 @@ impl RiemannMap {
     #[must_use]
     pub fn from_disk_points(&self, points: &[DiskPoint]) -> Vec<Complex64> {
         let evaluator = self.evaluator();
-        points.iter().map(|&point| evaluator.from_disk(point).unwrap_or(NOWHERE)).collect()
+        points.iter().map(|&point| evaluator.to_region(point).unwrap_or(NOWHERE)).collect()
     }
 
     /// Bytes of memory that the evaluator takes; 0 before its first use.
@@ -246,7 +246,7 @@ impl InvertibleMap for RiemannMap {
     fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         let (evaluator, turn) = (self.evaluator(), self.turn().conj());
         for (w, jet) in points.iter().zip(jets) {
-            let found = evaluator.from_disk_with_slope(turn * w);
+            let found = evaluator.to_region_with_slope(turn * w);
             *jet = found.map_or(Jet::UNDEFINED, |(z, slope)| Jet::analytic(z, turn * slope));
         }
     }

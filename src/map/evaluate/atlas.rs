@@ -22,7 +22,7 @@ impl Chart {
         let discretisation = solution.discretisation();
         let boundary = &discretisation.boundary;
         let mut chart = Self {
-            series: LocalSeries::new(&solution),
+            series: LocalSeries::new(solution),
             zones: Zones::new(boundary, walls, solution.center),
             solution: solution.clone(),
         };

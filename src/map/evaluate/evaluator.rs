@@ -91,9 +91,9 @@ impl Evaluator {
     /// Disk → region; `None` outside the closed disk.
     #[inline]
     #[must_use]
-    pub fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
+    pub fn to_region(&self, point: DiskPoint) -> Option<Complex64> {
         match self {
-            Self::Polygon { expansions, unit } => expansions.from_disk(point).map(|z| z / unit),
+            Self::Polygon { expansions, unit } => expansions.to_region(point).map(|z| z / unit),
             Self::Smooth { .. } => self.smooth_from_disk(point.w),
         }
     }
@@ -101,10 +101,10 @@ impl Evaluator {
     /// Disk → region, flat, with the derivative.
     #[inline]
     #[must_use]
-    pub fn from_disk_with_slope(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+    pub fn to_region_with_slope(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
         match self {
             Self::Polygon { expansions, unit } => {
-                let (z, slope) = expansions.from_disk_with_slope(w)?;
+                let (z, slope) = expansions.to_region_with_slope(w)?;
                 Some((z / unit, slope / unit))
             }
             Self::Smooth { solution, .. } => {
@@ -117,7 +117,7 @@ impl Evaluator {
     fn smooth_from_disk(&self, w: Complex64) -> Option<Complex64> {
         let Self::Smooth { solution, .. } = self else { return None };
         let square = w.norm_sqr();
-        if !(square <= BEYOND_CIRCLE) {
+        if square.is_nan() || square > BEYOND_CIRCLE {
             return None;
         }
         if (square - 1.0).abs() <= 2.0 * ON_BOUNDARY {

@@ -67,7 +67,7 @@ impl Accuracy {
         let mut count = coefficients.len();
         // What lies beyond the end is about as large as the last two.
         let mut tail = coefficients[count - 1].norm() + coefficients[count - 2].norm();
-        if !(tail <= 0.5 * tolerance) {
+        if tail.is_nan() || tail > 0.5 * tolerance {
             return None;
         }
         while count > 2 {
@@ -197,14 +197,14 @@ impl Expansions {
     /// Disk → region; `None` outside the closed disk.
     #[inline]
     #[must_use]
-    pub fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
+    pub fn to_region(&self, point: DiskPoint) -> Option<Complex64> {
         self.follow(point, |disk, w| disk.at(&self.region, w)).map(|(z, _, _)| z)
     }
 
     /// Disk → region, flat, with the derivative.
     #[inline]
     #[must_use]
-    pub fn from_disk_with_slope(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+    pub fn to_region_with_slope(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
         let (z, slope, chart) = self.follow(DiskPoint::flat(w), |disk, w| disk.with_slope(&self.region, w))?;
         if chart == 0 {
             return Some((z, slope));
@@ -219,7 +219,7 @@ impl Expansions {
         DiskPoint { mut chart, mut w }: DiskPoint,
         ask: impl Fn(&DiskSide, Complex64) -> Source,
     ) -> Option<(Complex64, Complex64, usize)> {
-        if !(w.norm_sqr() <= BEYOND_CIRCLE) {
+        if w.is_nan() || w.norm_sqr() > BEYOND_CIRCLE {
             return None;
         }
         for _ in 0..=self.disks.len() {

@@ -88,14 +88,14 @@ impl Patch {
         let mut guess = [Complex64::ZERO; 7];
         guess[1..].iter_mut().zip(self.inverse).for_each(|(g, c)| g.re = c);
         let mut tau = value(&guess, angle);
-        if !(tau.norm_sqr() < 4.0) {
+        if tau.is_nan() || tau.norm_sqr() > 4.0 {
             tau = angle * self.inverse[0];
         }
         for _ in 0..MOST_STEPS {
             let (miss, slope) = real_value_and_slope(&self.coefficients, tau);
             let step = (miss - angle) / slope;
             tau -= step;
-            if !(step.norm_sqr() > STEP * STEP * tau.norm_sqr()) {
+            if step.is_nan() || step.norm_sqr() <= STEP * STEP * tau.norm_sqr() {
                 break;
             }
         }
