@@ -88,4 +88,8 @@ impl<M: PlaneMap + ?Sized> PlaneMap for &M {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         (**self).jets(points, jets);
     }
+
+    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        (**self).inverse()
+    }
 }

@@ -74,6 +74,10 @@ impl PlaneMap for RegionMap {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         Compose { outer: Inverse(&self.b), inner: &self.a }.jets(points, jets);
     }
+
+    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(Inverse(self)))
+    }
 }
 
 impl InvertibleMap for RegionMap {

@@ -3,7 +3,7 @@
 pub use super::evaluate::DiskPoint;
 use super::evaluate::Evaluator;
 use super::solved::Solved;
-use super::{InvertibleMap, Jet, PlaneMap};
+use super::{Inverse, InvertibleMap, Jet, PlaneMap};
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64, Region};
 use crate::symm::correspondence::angle_of_measure;
@@ -238,6 +238,10 @@ impl PlaneMap for RiemannMap {
             let found = evaluator.to_disk_with_slope(z);
             *jet = found.map_or(Jet::UNDEFINED, |(w, slope)| Jet::analytic(turn * w, turn * slope));
         }
+    }
+
+    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(Inverse(self)))
     }
 }
 

@@ -16,6 +16,7 @@ pub mod points;
 pub mod presets;
 pub mod progress;
 pub mod region;
+pub mod region_map;
 pub mod riemann;
 pub mod texture;
 pub mod warp;

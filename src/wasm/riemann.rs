@@ -5,8 +5,11 @@ use super::options::{self, Point};
 use super::points;
 use super::progress::Progress;
 use super::region::Region;
+use super::texture::Texture;
+use super::warp::{self, DrawOptions, PaintContext};
 use crate::map::{self, SolveOptions, Stop};
-use js_sys::Function;
+use crate::warp::Direction;
+use js_sys::{Function, Uint8ClampedArray};
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -82,6 +85,46 @@ impl RiemannMap {
     pub fn to_disk(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         let points = points::from_flat("The points", points)?;
         Ok(points::to_flat(&self.0.to_disk(&points)))
+    }
+
+    /// Disk → region, the inverse of `toDisk`; NaN outside the closed disk. What a long region crowds into an arc that double
+    /// precision cannot resolve comes back only roughly.
+    #[wasm_bindgen(js_name = fromDisk)]
+    pub fn from_disk(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
+        let points = points::from_flat("The points", points)?;
+        Ok(points::to_flat(&self.0.from_disk(&points)))
+    }
+
+    /// f' of the map region → disk, per plane unit; NaN outside the closed region, infinite at a re-entrant vertex.
+    pub fn derivative(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
+        let points = points::from_flat("The points", points)?;
+        Ok(points::to_flat(&self.0.derivative(&points)))
+    }
+
+    /// Builds what makes evaluation fast now, instead of at its first use.
+    pub fn prepare(&self) {
+        self.0.prepare();
+    }
+
+    /// Bytes that this takes; 0 before its first use.
+    #[wasm_bindgen(getter, js_name = evaluatorBytes)]
+    pub fn evaluator_bytes(&self) -> usize {
+        self.0.evaluator_bytes()
+    }
+
+    /// The texture as the map shows it on the disk, pixel by pixel, without a mesh: RGBA bytes with straight alpha.
+    /// "pull-back" shows on the region what lies on the disk.
+    ///
+    /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
+    pub fn warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
+        warp::warp(&self.0, Direction::PushForward, texture, &options)
+    }
+
+    /// `warp`, onto a canvas.
+    ///
+    /// Throws as `warp` does, and what the context throws.
+    pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
+        warp::paint(&self.0, Direction::PushForward, context, texture, &options)
     }
 
     /// The angle of each boundary vertex on the circle, in [0, 2π), with `toward` at 0.

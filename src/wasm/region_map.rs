@@ -1,0 +1,58 @@
+//! `RegionMap` in JavaScript.
+
+use super::error::Failure;
+use super::points;
+use super::riemann::RiemannMap;
+use super::texture::Texture;
+use super::warp::{self, DrawOptions, PaintContext};
+use crate::map;
+use crate::warp::Direction;
+use js_sys::Uint8ClampedArray;
+use tsify::Ts;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// The conformal map region A → region B through the disk: center to center, `toward` to `toward`.
+#[derive(Debug)]
+#[wasm_bindgen]
+pub struct RegionMap(map::RegionMap);
+
+#[wasm_bindgen]
+impl RegionMap {
+    /// The map from A's region to B's. Nothing is solved; both maps may be freed afterwards.
+    pub fn between(a: &RiemannMap, b: &RiemannMap) -> Self {
+        Self(map::RegionMap::between(a.inner(), b.inner()))
+    }
+
+    /// A → B, point by point `[x0, y0, x1, y1, …]`; NaN outside the closed region A.
+    pub fn forward(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
+        let points = points::from_flat("The points", points)?;
+        Ok(points::to_flat(&self.0.forward(&points)))
+    }
+
+    /// B → A; NaN outside the closed region B.
+    pub fn inverse(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
+        let points = points::from_flat("The points", points)?;
+        Ok(points::to_flat(&self.0.inverse(&points)))
+    }
+
+    /// The derivative of `forward`.
+    pub fn derivative(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
+        let points = points::from_flat("The points", points)?;
+        Ok(points::to_flat(&self.0.derivative(&points)))
+    }
+
+    /// A's texture as the map shows it on B, pixel by pixel, without a mesh: RGBA bytes with straight alpha. "pull-back"
+    /// shows on A what lies on B.
+    ///
+    /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
+    pub fn warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
+        warp::warp(&self.0, Direction::PushForward, texture, &options)
+    }
+
+    /// `warp`, onto a canvas.
+    ///
+    /// Throws as `warp` does, and what the context throws.
+    pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
+        warp::paint(&self.0, Direction::PushForward, context, texture, &options)
+    }
+}
