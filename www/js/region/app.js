@@ -24,6 +24,8 @@ import { decode, encode } from "./url.js";
 /** @typedef {import("./outcome.js").Outcome} Outcome */
 
 const FIRST_PHOTO = "astronaut";
+/** How dark the photo is outside the region. */
+const DIM = 0.42;
 
 /** @type {Picture} */
 let picture;
@@ -133,7 +135,12 @@ function layOut() {
 }
 
 function draw() {
-  photoView.draw(picture, store, outcome);
+  const { mesh, grid } = store.shown;
+  photoView.draw(picture, store, {
+    dim: DIM,
+    mesh: mesh && outcome ? { points: outcome.result.mesh.source, edges: outcome.edges } : undefined,
+    lines: grid && outcome ? outcome.grid : undefined,
+  });
   diskView.draw(store.shown, outcome, store.doc.region.boundary[store.selected ?? -1]);
   controls.update(picture.title);
 }

@@ -28,11 +28,36 @@ export function rows(evidence) {
     ["Estimated error", power(errorEstimate), "largest, of any point’s place on the disk of radius 1"],
     ["Unknowns", whole(unknowns), `numbers solved for, in ${time(solveMs)}`],
     ["Conformal radius", conformalRadius.toFixed(4), "of the region seen from its center; the photo’s longer side is 2"],
-    ["Triangles", whole(triangles), `over ${whole(nodes)} points, made in ${time(meshMs)}`],
-    ["Turned over", flipped ? whole(flipped) : "none", flipped ? "triangles; the picture is folded there" : "no triangle is flipped: no fold"],
-    ["Picture", time(warpMs), "to draw, filtered so that nothing flickers"],
+    trianglesRow(triangles, nodes, meshMs),
+    flippedRow(flipped),
+    pictureRow(warpMs),
   ];
 }
+
+/**
+ * The same of a map from region to region.
+ * @param {import("../regions/pipeline.js").Evidence} evidence @returns {[string, string, string][]}
+ */
+export function pairRows({ errorEstimate, unknowns, nodes, triangles, flipped, solveMs, meshMs, warpMs }) {
+  return [
+    ["Estimated error", power(errorEstimate), "the larger of the two maps to the disk of radius 1"],
+    ["Unknowns", whole(unknowns), `for both regions, in ${time(solveMs)}`],
+    trianglesRow(triangles, nodes, meshMs),
+    flippedRow(flipped),
+    pictureRow(warpMs),
+  ];
+}
+
+/** @param {number} triangles @param {number} nodes @param {number} ms @returns {[string, string, string]} */
+const trianglesRow = (triangles, nodes, ms) => ["Triangles", whole(triangles), `over ${whole(nodes)} points, made in ${time(ms)}`];
+
+/** @param {number} flipped @returns {[string, string, string]} */
+function flippedRow(flipped) {
+  return ["Turned over", flipped ? whole(flipped) : "none", flipped ? "triangles; the picture is folded there" : "no triangle is flipped: no fold"];
+}
+
+/** @param {number} ms @returns {[string, string, string]} */
+const pictureRow = (ms) => ["Picture", time(ms), "to draw, filtered so that nothing flickers"];
 
 /** What the map does under the pointer. @param {import("../common/probe.js").Reading | null} reading */
 export function readingWords(reading) {

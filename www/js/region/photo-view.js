@@ -10,7 +10,10 @@ import { markVector, updateVector } from "./vector.js";
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../common/images.js").Picture} Picture */
 /** @typedef {import("./store.js").Store} Store */
-/** @typedef {import("./outcome.js").Outcome} Outcome */
+/**
+ * What is drawn with the photo: a picture inside the region, how much the outside is dimmed, triangles, lines.
+ * @typedef {{ inside?: CanvasImageSource, dim: number, mesh?: { points: Float64Array, edges: Uint32Array }, lines?: Point[][] }} Layers
+ */
 
 export class PhotoView {
   root;
@@ -37,27 +40,27 @@ export class PhotoView {
     this.frame = onGrid(picture.frame, [Math.max(1, width), Math.max(1, height)]);
   }
 
-  /** @param {Picture} picture @param {Store} store @param {Outcome | null} outcome */
-  draw(picture, store, outcome) {
-    this.#drawPhoto(picture, store, outcome);
+  /** @param {Picture} picture @param {Store} store @param {Layers} layers */
+  draw(picture, store, layers) {
+    this.#drawPhoto(picture, store, layers);
     this.#drawRegion(store);
   }
 
-  /** @param {Picture} picture @param {Store} store @param {Outcome | null} outcome */
-  #drawPhoto({ canvas }, { doc, shown, mode }, outcome) {
+  /** @param {Picture} picture @param {Store} store @param {Layers} layers */
+  #drawPhoto({ canvas }, { doc, mode }, { inside, dim, mesh, lines }) {
     const drawing = this.#layer.begin(this.frame);
     const { context, frame } = drawing;
     const [width, height] = frame.pixels;
     context.imageSmoothingQuality = "high";
     context.drawImage(canvas, 0, 0, width, height);
     if (mode === "draw") return;
-    const path = new Path2D(pathData(doc.region.boundary.map((p) => toPixels(frame, p)), true));
-    const outside = new Path2D(path);
+    if (inside) context.drawImage(inside, 0, 0, width, height);
+    const outside = new Path2D(pathData(doc.region.boundary.map((p) => toPixels(frame, p)), true));
     outside.rect(0, 0, width, height);
-    context.fillStyle = "rgb(0 0 0 / 0.42)";
+    context.fillStyle = `rgb(0 0 0 / ${dim})`;
     context.fill(outside, "evenodd");
-    if (shown.mesh && outcome) drawMesh(drawing, outcome.result.mesh.source, outcome.edges);
-    if (shown.grid && outcome) drawLines(drawing, outcome.grid);
+    if (mesh) drawMesh(drawing, mesh.points, mesh.edges);
+    if (lines) drawLines(drawing, lines);
   }
 
   /** @param {Store} store */

@@ -1,9 +1,11 @@
 // From a drawn region to a picture of the disk: the page's only way through the package, wherever it runs.
 
-import { JointTriangulation, Region, RiemannMap, Texture } from "../../pkg/index.js";
+import { JointTriangulation, Texture } from "../../pkg/index.js";
+import { SolvedMap } from "./solved-map.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
+/** @typedef {import("../../pkg/index.js").RiemannMap} RiemannMap */
 /**
  * @typedef {object} Job
  * @property {number} version which state of the page this is for
@@ -40,17 +42,13 @@ import { JointTriangulation, Region, RiemannMap, Texture } from "../../pkg/index
 
 /** @typedef {import("../common/serve.js").Progress} Progress */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
-/**
- * A map and its mesh, with what they were made from: all of it, and the outline alone.
- * @typedef {{ key: string, outline: string, corners: Float64Array, map: RiemannMap, mesh: JointTriangulation, solveMs: number, meshMs: number }} Solved
- */
-
 /** @implements {Pipeline<Job, Result>} */
 export class RegionPipeline {
   /** @type {{ texture: Texture, frame: Frame } | null} */
   #picture = null;
-  /** The last map and its mesh: a new picture needs no other, a new vector no other factorisation. @type {Solved | null} */
-  #solved = null;
+  #solved = new SolvedMap();
+  /** The last mesh: a new picture needs no other. @type {{ key: string, mesh: JointTriangulation, ms: number } | null} */
+  #meshed = null;
 
   /** @param {Uint8ClampedArray} pixels @param {Frame} frame */
   setPicture(pixels, frame) {
@@ -62,7 +60,8 @@ export class RegionPipeline {
   run(job, onProgress) {
     if (!this.#picture) throw new Error("There is no picture yet.");
     const { texture, frame } = this.#picture;
-    const { corners, map, mesh, solveMs, meshMs } = this.#solve(job, onProgress);
+    const { map, corners, ms: solveMs } = this.#solved.solve(job, job.tolerance, onProgress);
+    const { mesh, ms: meshMs } = this.#mesh(job, map);
     const begin = performance.now();
     const pixels = mesh.warp(texture, { texture: frame, view: job.view, direction: "push-forward", quality: "trilinear" });
     const warpMs = performance.now() - begin;
@@ -90,33 +89,14 @@ export class RegionPipeline {
     return { result, transfer: [pixels, source, target, triangles].map(({ buffer }) => buffer) };
   }
 
-  /** @param {Job} job @param {Progress} onProgress @returns {Solved} */
-  #solve(job, onProgress) {
-    const { boundary, center, toward, tolerance, maxErrorPixels, view } = job;
-    const outline = JSON.stringify([[...boundary], tolerance]);
-    const key = JSON.stringify([outline, center, toward, maxErrorPixels, view]);
-    const last = this.#solved;
-    if (last?.key === key) return last;
+  /** @param {Job} job @param {RiemannMap} map */
+  #mesh({ boundary, center, toward, tolerance, maxErrorPixels, view }, map) {
+    const key = JSON.stringify([[...boundary], center, toward, tolerance, maxErrorPixels, view]);
+    if (this.#meshed?.key === key) return this.#meshed;
     const begin = performance.now();
-    const { map, corners } =
-      last?.outline === outline
-        ? { map: last.map.withCenter({ center, toward, onProgress }), corners: last.corners }
-        : solveAfresh(job, onProgress);
-    const solved = performance.now();
     const mesh = JointTriangulation.regionToDisk(map, { maxErrorPixels, frame: view });
-    last?.map.free();
-    last?.mesh.free();
-    this.#solved = { key, outline, corners, map, mesh, solveMs: solved - begin, meshMs: performance.now() - solved };
-    return this.#solved;
-  }
-}
-
-/** @param {Job} job @param {Progress} onProgress */
-function solveAfresh({ boundary, center, toward, tolerance }, onProgress) {
-  const region = new Region({ boundary, center, toward });
-  try {
-    return { map: RiemannMap.solve(region, { tolerance, onProgress }), corners: region.boundary };
-  } finally {
-    region.free();
+    this.#meshed?.mesh.free();
+    this.#meshed = { key, mesh, ms: performance.now() - begin };
+    return this.#meshed;
   }
 }

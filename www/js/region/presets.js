@@ -6,7 +6,9 @@ import { makeRegion } from "./region.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./region.js").Region} Region */
-/** The region drawn for each photo, in its pixels. @type {Record<string, { outline: Point[], center: Point, toward: Point }>} */
+/** In a photo's pixels. @typedef {{ outline: Point[], center: Point, toward: Point }} Drawn */
+
+/** The region drawn for each photo. @type {Record<string, Drawn>} */
 const drawn = {
   astronaut: {
     outline: [
@@ -88,7 +90,11 @@ export const shapes = {
 
 /** The region drawn for a photo. @param {string} name @returns {Region} */
 export function photoRegion(name) {
-  const { outline, center, toward } = drawn[name];
+  return regionOn(name, drawn[name]);
+}
+
+/** A region given in a photo's pixels. @param {string} name @param {Drawn} drawing @returns {Region} */
+export function regionOn(name, { outline, center, toward }) {
   const frame = photoFrame(...photos[name].size);
   /** @param {Point} pixel */
   const plane = (pixel) => toPlane(frame, pixel);

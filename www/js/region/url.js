@@ -20,29 +20,36 @@ function read(text) {
 }
 
 /** @param {import("./store.js").Document} doc @param {Shown} shown @returns {string} the hash, without # */
-export function encode({ image, region }, shown) {
+export function encode(doc, shown) {
   const layers = Object.entries(shown).flatMap(([name, on]) => (on ? [name] : []));
+  return encodeDocument(doc, "") + (layers.length ? `&show=${layers.join(",")}` : "");
+}
+
+/** @param {import("./store.js").Document} doc @param {string} prefix of the fields' names */
+export function encodeDocument({ image, region }, prefix) {
   const fields = [
     ["image", image],
     ["region", write(region.boundary)],
     ["center", write([region.center])],
     ["toward", write([towardPoint(region)])],
   ];
-  if (layers.length) fields.push(["show", layers.join(",")]);
-  return fields.map(([key, value]) => `${key}=${value}`).join("&");
+  return fields.map(([key, value]) => `${prefix}${key}=${value}`).join("&");
 }
 
-/** What an address says; what it leaves out, or garbles, is left out. @param {string} hash @returns {Address} */
-export function decode(hash) {
+/** What an address says; what it leaves out, or garbles, is left out. @param {string} hash @param {string} [prefix] @returns {Address} */
+export function decode(hash, prefix = "") {
   const fields = new URLSearchParams(hash.replace(/^#/, ""));
+  /** @param {string} name */
+  const field = (name) => fields.get(prefix + name);
   const layers = (fields.get("show") ?? "").split(",");
-  const outline = read(fields.get("region"));
-  const [center] = read(fields.get("center"));
-  const [toward] = read(fields.get("toward"));
+  const outline = read(field("region"));
+  const [center] = read(field("center"));
+  const [toward] = read(field("toward"));
+  const told = field("region") !== null || fields.has("show");
   return {
-    image: fields.get("image") ?? undefined,
-    shape: fields.get("shape") ?? undefined,
+    image: field("image") ?? undefined,
+    shape: field("shape") ?? undefined,
     region: outline.length >= 3 ? makeRegion(outline, center, toward) : undefined,
-    shown: fields.has("region") || fields.has("show") ? { mesh: layers.includes("mesh"), grid: layers.includes("grid") } : undefined,
+    shown: told ? { mesh: layers.includes("mesh"), grid: layers.includes("grid") } : undefined,
   };
 }

@@ -1,0 +1,6 @@
+// The worker of the cortex's page.
+
+import { serveJobs } from "../common/serve.js";
+import { CortexPipeline } from "./pipeline.js";
+
+serveJobs(new CortexPipeline());
