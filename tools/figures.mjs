@@ -165,7 +165,7 @@ function placing(points, { center, width, pixels }) {
  * @param {Pixels} picture
  * @param {number[]} a
  * @param {number[]} b
- * @param {number} width
+ * @param {number} thickness
  * @param {number[]} color
  * @param {number} opacity
  */
