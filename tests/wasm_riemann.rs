@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use conformal_warp::wasm::region::{Region, RegionOptions};
+use conformal_warp::wasm::region_map::RegionMap;
 use conformal_warp::wasm::riemann::{CenterOptions, RiemannMap, RiemannOptions};
 use js_sys::Reflect;
 use std::f64::consts::FRAC_PI_2;
@@ -86,4 +87,25 @@ fn wrong_options_are_refused() {
         let named = (property(&thrown, "code"), property(&thrown, "option"));
         assert_eq!(named, ("invalid-option".into(), option.into()), "{:?}", property(&thrown, "message"));
     }
+}
+
+#[wasm_bindgen_test]
+fn both_ways_and_between_regions() {
+    let map = solve(&object("tolerance: 1e-10")).unwrap();
+    assert_eq!(map.evaluator_bytes(), 0);
+    let points = [0.3, -0.8, -0.999_999, 0.5];
+    let images = map.to_disk(&points).unwrap();
+    let back = map.from_disk(&images).unwrap();
+    assert!(back.iter().zip(points).all(|(a, b)| (a - b).abs() < 1e-8), "{back:?}");
+    assert!(map.evaluator_bytes() > 0);
+    assert!(map.from_disk(&[1.5, 0.0]).unwrap()[0].is_nan() && map.to_disk(&[1.0]).is_err());
+    // |f'(center)| is the reciprocal of the conformal radius.
+    let slope = map.derivative(&[0.0, 0.0]).unwrap();
+    assert!((slope[0].hypot(slope[1]) * map.conformal_radius() - 1.0).abs() < 1e-9);
+
+    let same = RegionMap::between(&map, &map);
+    let moved = same.forward(&points).unwrap();
+    assert!(moved.iter().zip(points).all(|(a, b)| (a - b).abs() < 1e-8), "{moved:?}");
+    assert_eq!(same.inverse(&points).unwrap().len(), 4);
+    assert!((same.derivative(&[0.1, 0.2]).unwrap()[0] - 1.0).abs() < 1e-8);
 }
