@@ -143,9 +143,13 @@ impl<'a> Draft<'a> {
     }
 
     pub(super) fn finish(self) -> JointTriangulation {
-        let shape = |side: &dyn Side| side.polygon().cloned().map_or(Shape::Disk, Shape::Polygon);
+        let shape = |outline: &Outline| match outline.straight() {
+            Some(polygon) => Shape::Polygon(polygon.clone()),
+            None if outline.is_polygon() => Shape::Curve,
+            None => Shape::Disk,
+        };
         JointTriangulation {
-            shapes: [shape(self.sides[0]), shape(self.sides[1])],
+            shapes: [shape(&self.outlines[0]), shape(&self.outlines[1])],
             outline: self.ring.iter().map(|(id, _)| *id).collect(),
             source: self.source,
             target: self.target,

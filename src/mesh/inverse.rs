@@ -3,7 +3,7 @@
 use super::locate::Located;
 use super::side::Side;
 use crate::Result;
-use crate::plane::{BoundaryPoint, Complex64, Polygon};
+use crate::plane::{BoundaryPoint, Complex64, Polygon, SmoothCurve};
 
 /// A region whose map is inverted point by point.
 pub(super) struct Inverted<'a> {
@@ -57,6 +57,10 @@ impl<'a> Inverted<'a> {
 impl Side for Inverted<'_> {
     fn polygon(&self) -> Option<&Polygon> {
         self.side.polygon()
+    }
+
+    fn smooth(&self) -> Option<&SmoothCurve> {
+        self.side.smooth()
     }
 
     fn center(&self) -> Complex64 {

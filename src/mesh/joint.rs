@@ -22,6 +22,8 @@ pub struct JointTriangulation {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Shape {
     Polygon(Polygon),
+    /// A smooth curve, replaced by the polygon of the nodes on it.
+    Curve,
     /// The unit disk, replaced by the polygon of the nodes on its circle.
     Disk,
 }

@@ -4,7 +4,7 @@ use super::build::CLEARANCE;
 use super::scan;
 use super::side::{Outline, Side};
 use crate::Result;
-use crate::plane::{BoundaryPoint, Complex64, Polygon};
+use crate::plane::{BoundaryPoint, Complex64, Polygon, SmoothCurve};
 use spade::{DelaunayTriangulation, HasPosition, Point2, PositionInTriangulation, Triangulation};
 
 /// A sample of the region: its image in the disk, where it is looked for, and where it came from.
@@ -82,6 +82,10 @@ impl<'a> Located<'a> {
 impl Side for Located<'_> {
     fn polygon(&self) -> Option<&Polygon> {
         self.side.polygon()
+    }
+
+    fn smooth(&self) -> Option<&SmoothCurve> {
+        self.side.smooth()
     }
 
     fn center(&self) -> Complex64 {

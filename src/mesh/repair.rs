@@ -66,7 +66,7 @@ impl Draft<'_> {
     }
 
     fn on_one_edge(&self, copy: usize, nodes: [RingNode; 3]) -> bool {
-        let Some(polygon) = self.sides[copy].polygon() else { return false };
+        let Some(polygon) = self.outlines[copy].straight() else { return false };
         let edges = |node: RingNode| {
             let place = if copy == 0 { node.source } else { node.target };
             let before = (place.edge + polygon.len() - 1) % polygon.len();

@@ -1,8 +1,9 @@
 //! One copy of a joint triangulation: its outline, and where the points of that outline lie on the circle.
 
 use crate::map::RiemannMap;
-use crate::plane::{BoundaryPoint, Complex64, Polygon};
+use crate::plane::{BoundaryPoint, Complex64, Polygon, SmoothCurve};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// No map is more accurate than this, some roundings of numbers near 1.
 const ROUNDING: f64 = 1e-13;
@@ -13,6 +14,10 @@ const ROUNDING: f64 = 1e-13;
 pub(crate) trait Side {
     /// The outline, or `None` for the unit circle.
     fn polygon(&self) -> Option<&Polygon>;
+    /// The smooth curve that the boundary is instead of the outline's straight edges, if it is one.
+    fn smooth(&self) -> Option<&SmoothCurve> {
+        None
+    }
     /// The point that goes to 0.
     fn center(&self) -> Complex64;
     /// The boundary point that goes to 1.
@@ -32,6 +37,10 @@ pub(crate) trait Side {
 impl Side for RiemannMap {
     fn polygon(&self) -> Option<&Polygon> {
         Some(self.region().polygon())
+    }
+
+    fn smooth(&self) -> Option<&SmoothCurve> {
+        self.region().smooth().map(Arc::as_ref)
     }
 
     fn center(&self) -> Complex64 {
@@ -101,9 +110,10 @@ impl Side for UnitDisk {
     }
 }
 
-/// An outline measured by length, anticlockwise from its `toward` point.
+/// An outline measured by length (that of the chords, for a smooth curve), anticlockwise from its `toward` point.
 pub(super) struct Outline<'a> {
     polygon: Option<&'a Polygon>,
+    smooth: Option<&'a SmoothCurve>,
     /// Length along the polygon before each vertex, counted from vertex 0; the last entry is the whole length.
     starts: Vec<f64>,
     /// Length from vertex 0 to `toward`.
@@ -124,7 +134,7 @@ impl<'a> Outline<'a> {
         } else {
             starts.push(TAU);
         }
-        let mut outline = Self { polygon, starts, offset: 0.0 };
+        let mut outline = Self { polygon, smooth: side.smooth(), starts, offset: 0.0 };
         outline.offset = outline.along(side.toward());
         outline
     }
@@ -135,6 +145,11 @@ impl<'a> Outline<'a> {
 
     pub(super) fn is_polygon(&self) -> bool {
         self.polygon.is_some()
+    }
+
+    /// The polygon, if the boundary consists of its straight edges.
+    pub(super) fn straight(&self) -> Option<&'a Polygon> {
+        self.polygon.filter(|_| self.smooth.is_none())
     }
 
     /// Corners of the outline as boundary points, in order from vertex 0; the circle has none.
@@ -155,12 +170,13 @@ impl<'a> Outline<'a> {
 
     /// The point of an edge, `t` in [0, 1).
     pub(super) fn on_edge(&self, edge: usize, t: f64) -> BoundaryPoint {
-        let point = match self.polygon {
-            Some(polygon) => {
+        let point = match (self.polygon, self.smooth) {
+            (Some(polygon), Some(curve)) => curve.point((edge as f64 + t) / polygon.len() as f64 * TAU),
+            (Some(polygon), None) => {
                 let (a, b) = polygon.edge(edge);
                 a + (b - a) * t
             }
-            None => Complex64::cis(t * TAU),
+            (None, _) => Complex64::cis(t * TAU),
         };
         BoundaryPoint { edge, t, point }
     }

@@ -121,6 +121,7 @@ fn check_copy(name: &str, points: &[Complex64], shape: &Shape, mesh: &JointTrian
             check_outline(name, &outline, polygon)?;
             polygon.area()
         }
+        Shape::Curve => Polygon::new(&outline)?.area(),
         Shape::Disk => {
             check_circle(name, &outline)?;
             outline_area(&outline)
