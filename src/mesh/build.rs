@@ -2,7 +2,6 @@
 
 use super::density::{Middles, first_spacing};
 use super::draft::Draft;
-use super::inverse::Inverted;
 use super::locate::Located;
 use super::options::{Density, MeshOptions, Route};
 use super::side::{Side, UnitDisk};
@@ -60,14 +59,12 @@ impl JointTriangulation {
             Density::Spacing(spacing) => spacing * (target / source).sqrt(),
             Density::MaxError { .. } => target.sqrt() / 60.0,
         };
-        let from = &Inverted::new(from, spacing * (source / target).sqrt())?;
-        let exact = Inverted::new(to, spacing)?;
         match options.route {
-            Route::Exact => between(from, &exact, options),
+            Route::Exact => between(from, to, options),
             Route::Located => {
                 let located = Located::sampled(to, spacing)?;
                 let mut mesh = between(from, &located, options)?;
-                mesh.evidence.route_difference = mesh.largest_difference(from, &exact);
+                mesh.evidence.route_difference = mesh.largest_difference(from, to);
                 Ok(mesh)
             }
         }

@@ -55,8 +55,11 @@ impl<'a> Located<'a> {
     }
 
     /// The affine map of the triangle around w; NaN outside the triangulation, or where its triangle is flipped.
-    pub(super) fn at(&self, w: Complex64) -> Complex64 {
+    fn at(&self, w: Complex64) -> Complex64 {
         let undefined = Complex64::new(f64::NAN, f64::NAN);
+        if !w.is_finite() {
+            return undefined;
+        }
         let face = match self.samples.locate(Point2::new(w.re, w.im)) {
             PositionInTriangulation::OnVertex(vertex) => return self.samples.vertex(vertex).data().region,
             PositionInTriangulation::OnFace(face) => face,

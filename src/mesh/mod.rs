@@ -9,7 +9,6 @@ mod connect;
 mod density;
 mod draft;
 mod export;
-mod inverse;
 mod joint;
 mod locate;
 mod net;

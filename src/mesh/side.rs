@@ -8,6 +8,9 @@ use std::sync::Arc;
 /// No map is more accurate than this, some roundings of numbers near 1.
 const ROUNDING: f64 = 1e-13;
 
+/// A place that does not map back to within this share of its distance from the circle is not used.
+const ROUND_TRIP: f64 = 0.01;
+
 /// A region that is one copy of a joint triangulation, or the disk itself.
 ///
 /// The mesh needs no more than a homeomorphism: that the maps are conformal makes it good, not valid.
@@ -68,7 +71,13 @@ impl Side for RiemannMap {
     }
 
     fn to_region(&self, points: &[Complex64]) -> Vec<Complex64> {
-        vec![Complex64::new(f64::NAN, f64::NAN); points.len()]
+        let places = self.from_disk(points);
+        let agrees = |(w, back): (&Complex64, Complex64)| {
+            (w - back).norm() <= ROUND_TRIP * (1.0 - w.norm()) + 10.0 * self.error()
+        };
+        let good: Vec<_> = points.iter().zip(self.to_disk(&places)).map(agrees).collect();
+        let undefined = Complex64::new(f64::NAN, f64::NAN);
+        places.into_iter().zip(good).map(|(z, good)| if good { z } else { undefined }).collect()
     }
 }
 
