@@ -1,5 +1,6 @@
 //! A map's jet in the units of a picture: texels of the texture against pixels of the view.
 
+use super::mesh::largest_stretch;
 use super::render::TexelGrid;
 use crate::map::Jet;
 use crate::plane::{Complex64, Frame};
@@ -22,6 +23,12 @@ pub(super) struct Node {
 const FAR: f64 = 1e9;
 
 impl Node {
+    /// Whether the Jacobian is a turn and a scaling, to one part in a million: then ∂/∂x alone tells the stretch.
+    pub fn is_conformal(&self) -> bool {
+        let ([ux, vx], [uy, vy]) = (self.dx, self.dy);
+        (ux - vy).abs() + (vx + uy).abs() <= 1e-6 * (ux.abs() + vx.abs())
+    }
+
     /// Whether the map has a value here.
     pub fn is_defined(&self) -> bool {
         !self.at[0].is_nan() && !self.at[1].is_nan()
@@ -34,8 +41,7 @@ impl Node {
 
     /// The larger singular value of the Jacobian: the footprint's diameter in texels.
     pub fn stretch(&self) -> f64 {
-        let ([ux, vx], [uy, vy]) = (self.dx, self.dy);
-        0.5 * ((ux + vy).hypot(vx - uy) + (ux - vy).hypot(vx + uy))
+        largest_stretch([self.dx[0], self.dx[1], self.dy[0], self.dy[1]])
     }
 }
 

@@ -13,6 +13,8 @@ type Cubic = [f64; 4];
 /// The patch over [0, `side`]², in pixels from the block's top left corner.
 pub(super) struct Patch {
     side: f64,
+    /// Whether the map is conformal at the corners.
+    conformal: bool,
     /// For columns and rows of the texture.
     of: [Component; 2],
 }
@@ -41,7 +43,8 @@ impl Patch {
             left: hermite(a.at[k], a.dy[k], c.at[k], c.dy[k], side),
             right: hermite(b.at[k], b.dy[k], d.at[k], d.dy[k], side),
         };
-        Self { side, of: [component(0), component(1)] }
+        let conformal = corners.into_iter().all(Node::is_conformal);
+        Self { side, conformal, of: [component(0), component(1)] }
     }
 
     /// The texture's point at the top left corner.
@@ -85,7 +88,9 @@ impl Patch {
                 write(&mut plane[span.clone()], cubic);
             }
         }
-        if strip.has_levels() {
+        if strip.has_levels() && self.conformal {
+            write_conformal_levels(&mut strip.level[span], [&u.dx, &v.dx]);
+        } else if strip.has_levels() {
             write_levels(&mut strip.level[span], [&u.dx, &v.dx, &u.dy, &v.dy]);
         }
     }
@@ -116,6 +121,16 @@ fn write(span: &mut [f32], cubic: &Cubic) {
     for (column, value) in span.iter_mut().enumerate() {
         let x = column as i32 as f32 + 0.5;
         *value = ((c3 * x + c2) * x + c1) * x + c0;
+    }
+}
+
+/// log₂ of the length of ∂/∂x along a row: |f'|.
+fn write_conformal_levels(span: &mut [f32], dx: [&Cubic; 2]) {
+    let [[u0, u1, u2, _], [v0, v1, v2, _]] = dx.map(|cubic| cubic.map(|c| c as f32));
+    for (column, level) in span.iter_mut().enumerate() {
+        let x = column as i32 as f32 + 0.5;
+        let (u, v) = ((u2 * x + u1) * x + u0, (v2 * x + v1) * x + v0);
+        *level = 0.5 * log2(u * u + v * v);
     }
 }
 

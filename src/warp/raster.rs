@@ -33,6 +33,7 @@ struct Linear {
 /// A triangle with its affine map view → texture.
 pub(super) struct Triangle {
     corners: [Corner; 3],
+    edges: [Edge; 3],
     u: Linear,
     v: Linear,
     level: Linear,
@@ -52,13 +53,14 @@ impl Triangle {
             Linear { value: of(a), dx: (db * cy - dc * by) / area, dy: (dc * bx - db * cx) / area }
         };
         let (u, v, level) = (linear(|c| c.u), linear(|c| c.v), linear(|c| c.level));
-        Some(Self { corners, u, v, level })
+        let edges = [Edge::new(a, b), Edge::new(b, c), Edge::new(c, a)];
+        Some(Self { corners, edges, u, v, level })
     }
 
     /// Rows of the view whose pixel centres it may cover, within 0..`height`.
     pub fn rows(&self, height: usize) -> std::ops::Range<usize> {
         let ys = self.corners.map(|c| c.y);
-        let (low, high) = (ys[0].min(ys[1]).min(ys[2]), ys[0].max(ys[1]).max(ys[2]));
+        let (low, high) = span_of(ys);
         centres_between(low, high, height)
     }
 
@@ -74,11 +76,10 @@ impl Triangle {
         let rows = self.rows(strip.first_row + strip.rows);
         for row in rows.start.max(strip.first_row)..rows.end {
             let y = row as f64 + 0.5;
-            let [a, b, c] = &self.corners;
-            let crossings = [crossing(a, b, y), crossing(b, c, y), crossing(c, a, y)];
             let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
-            for x in crossings.into_iter().flatten() {
-                (left, right) = (left.min(x), right.max(x));
+            for x in self.edges.iter().filter_map(|edge| edge.crossing(y)) {
+                left = if x < left { x } else { left };
+                right = if x > right { x } else { right };
             }
             let columns = centres_between(left, right, strip.width);
             match overlap {
@@ -128,18 +129,38 @@ impl Triangle {
     }
 }
 
-/// Where the edge crosses the height y, if it does: half-open, so that a vertex counts once. The edge is taken from its
-/// upper end whichever triangle asks.
-fn crossing(a: &Corner, b: &Corner, y: f64) -> Option<f64> {
-    if (a.y <= y) == (b.y <= y) {
-        return None;
+/// An edge, taken from its upper end whichever triangle has it.
+struct Edge {
+    top: f64,
+    bottom: f64,
+    /// Where it starts, at the top.
+    x: f64,
+    /// Columns per row.
+    slope: f64,
+}
+
+impl Edge {
+    fn new(a: &Corner, b: &Corner) -> Self {
+        let (top, bottom) = if a.y <= b.y { (a, b) } else { (b, a) };
+        let slope = (bottom.x - top.x) / (bottom.y - top.y);
+        Self { top: top.y, bottom: bottom.y, x: top.x, slope }
     }
-    let (top, bottom) = if a.y <= b.y { (a, b) } else { (b, a) };
-    Some(top.x + (y - top.y) * ((bottom.x - top.x) / (bottom.y - top.y)))
+
+    /// Where it crosses the height y, if it does: half-open, so that a vertex counts once.
+    fn crossing(&self, y: f64) -> Option<f64> {
+        (self.top <= y && y < self.bottom).then_some(self.x + (y - self.top) * self.slope)
+    }
+}
+
+/// The least and the greatest of three numbers. (`f64::min` is a call in wasm, for the sake of NaN.)
+pub(super) fn span_of([a, b, c]: [f64; 3]) -> (f64, f64) {
+    let (low, high) = if a < b { (a, b) } else { (b, a) };
+    (if c < low { c } else { low }, if c > high { c } else { high })
 }
 
 /// The pixels of 0..`count` whose centre k + ½ lies in [low, high).
 fn centres_between(low: f64, high: f64, count: usize) -> std::ops::Range<usize> {
-    let index = |t: f64| (t - 0.5).ceil().clamp(0.0, count as f64) as usize;
+    // The conversion takes what is negative to 0.
+    let index = |t: f64| ((t - 0.5).ceil() as usize).min(count);
     index(low)..index(high)
 }

@@ -73,10 +73,13 @@ impl Block {
 /// Whether a patch's node is the map's within the tolerances.
 fn close(patch: &Node, map: &Node) -> bool {
     let unit = map.stretch().max(1.0);
-    let gap = |a: Pair, b: Pair| (a[0] - b[0]).hypot(a[1] - b[1]);
-    gap(patch.at, map.at) <= TOLERANCE * unit
-        && gap(patch.dx, map.dx) <= SLOPE_TOLERANCE * unit
-        && gap(patch.dy, map.dy) <= SLOPE_TOLERANCE * unit
+    let near = |a: Pair, b: Pair, limit: f64| {
+        let [x, y] = [a[0] - b[0], a[1] - b[1]];
+        x * x + y * y <= limit * limit
+    };
+    near(patch.at, map.at, TOLERANCE * unit)
+        && near(patch.dx, map.dx, SLOPE_TOLERANCE * unit)
+        && near(patch.dy, map.dy, SLOPE_TOLERANCE * unit)
 }
 
 /// A map seen through a view: points of the view in pixels → nodes.
