@@ -21,10 +21,7 @@ const ROTATED_GRID: [[f32; 2]; 4] = {
     [[a, b], [-a, -b], [b, -a], [-b, a]]
 };
 
-/// Columns that are drawn together; whole groups of four.
-const SQUARE: usize = 32;
-
-/// A piece of a row of a strip.
+/// One row of a strip.
 #[derive(Clone, Copy)]
 struct Row<'a> {
     u: &'a [f32],
@@ -34,9 +31,9 @@ struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    /// Row `row` of the strip from column `first` on; a quantity that the strip does not hold is empty.
-    fn of(strip: &'a Strip, row: usize, first: usize) -> Self {
-        let (start, end) = (strip.start(row) + first, strip.start(row + 1));
+    /// Row `row` of the strip; a quantity that the strip does not hold is empty.
+    fn of(strip: &'a Strip, row: usize) -> Self {
+        let (start, end) = (strip.start(row), strip.start(row + 1));
         let part = |plane: &'a Vec<f32>| plane.get(start..end).unwrap_or_default();
         let [a, b, c, d] = &strip.jacobian;
         Self { u: part(&strip.u), v: part(&strip.v), level: part(&strip.level), jacobian: [a, b, c, d].map(part) }
@@ -66,12 +63,8 @@ fn sample_wrapped<W: Fold>(texture: &Texture, quality: Quality, strip: &Strip, o
         Quality::Trilinear => kernels::trilinear::<W>,
         Quality::Best => kernels::best::<W>,
     };
-    // Square by square: what a square shows of the texture is small, and stays in the nearest cache.
-    for first in (0..strip.width).step_by(SQUARE) {
-        let end = strip.width.min(first + SQUARE);
-        for (row, line) in out.chunks_exact_mut(4 * strip.width).enumerate() {
-            draw(texture, Row::of(strip, row, first), &mut line[4 * first..4 * end]);
-        }
+    for (row, line) in out.chunks_exact_mut(4 * strip.width).enumerate() {
+        draw(texture, Row::of(strip, row), line);
     }
 }
 
@@ -207,8 +200,8 @@ mod tests {
             let strip = random.strip(quality, texture.size());
             for row in 0..strip.rows {
                 let mut lines = [vec![7; 4 * 61], vec![9; 4 * 61]];
-                scalar(texture, Row::of(&strip, row, 0), &mut lines[0]);
-                simd(texture, Row::of(&strip, row, 0), &mut lines[1]);
+                scalar(texture, Row::of(&strip, row), &mut lines[0]);
+                simd(texture, Row::of(&strip, row), &mut lines[1]);
                 let difference = largest_difference(&lines[0], &lines[1]);
                 let what = (quality, texture.wrap(), texture.light(), texture.size());
                 assert!(difference <= 1.0, "{what:?}: {difference} levels apart");
