@@ -2,8 +2,10 @@
 #![cfg(target_arch = "wasm32")]
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
-use conformal_warp::wasm::cortex::{CorticalModelOptions, GazeOptions, RetinoCorticalMap};
+use conformal_warp::wasm::cortex::{CorticalModelOptions, GazeOptions, LandmarkOptions, RetinoCorticalMap};
 use conformal_warp::wasm::foveated::{FoveatedOptions, FoveatedTexture};
+use conformal_warp::wasm::region::{Region, RegionOptions};
+use conformal_warp::wasm::riemann::{RiemannMap, RiemannOptions};
 use conformal_warp::wasm::texture::{Texture, TextureOptions};
 use conformal_warp::wasm::warp::DrawOptions;
 use js_sys::Reflect;
@@ -54,4 +56,32 @@ fn a_picture_is_warped_onto_the_cortex() {
 
     let seen = image.to_picture(&map.to_cortex(&[30.0, 0.0]).unwrap()).unwrap();
     assert!((seen[0] - 1.0).abs() < 1e-12 && seen[1].abs() < 1e-12, "{seen:?}");
+}
+
+#[wasm_bindgen_test]
+fn an_outline_is_mapped_from_its_landmark() {
+    let dipole = "k: 15, a: 0.69, b: 80";
+    let boundary = RetinoCorticalMap::model_outline(object(dipole), 90).unwrap();
+    assert_eq!(boundary.len(), 180);
+    let place = model(dipole).unwrap().to_cortex(&[15.0, -1.5]).unwrap();
+    let boundary: Vec<String> = boundary.iter().map(f64::to_string).collect();
+    let fields = format!(
+        "boundary: new Float64Array([{}]), center: [{}, {}], toward: [0, 0]",
+        boundary.join(","),
+        place[0],
+        place[1]
+    );
+    let region = Region::new(object::<RegionOptions>(&fields)).unwrap();
+    let solved = RiemannMap::solve(&region, None::<Ts<RiemannOptions>>).unwrap();
+    for (hemisphere, side) in [("left", 1.0), ("right", -1.0)] {
+        let options = object::<LandmarkOptions>(&format!("direction: 0.1, hemisphere: '{hemisphere}'"));
+        let map = RetinoCorticalMap::outline(&solved, options).unwrap();
+        let found = map.to_cortex(&[side * 15.0, -1.5]).unwrap();
+        assert!((found[0] - side * place[0]).abs() < 1e-3 && (found[1] - place[1]).abs() < 1e-3, "{found:?} {place:?}");
+        let back = map.to_field(&found).unwrap();
+        assert!((back[0] - side * 15.0).abs() < 1e-6 && (back[1] + 1.5).abs() < 1e-6, "{back:?}");
+        let beyond = map.to_cortex(&[side * 15.01, -1.5]).unwrap();
+        let direction = (beyond[1] - found[1]).atan2(side * (beyond[0] - found[0]));
+        assert!((direction - 0.1).abs() < 0.01, "the meridian runs at {direction}");
+    }
 }

@@ -1,21 +1,15 @@
 // node tools/gallery.mjs: the README's pictures of formulas, in docs/: the report's figures 1 and 2, and the classics.
 // The package must be built (npm run build).
 
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
 import init, { FormulaMap, Texture, presets } from "conformal-warp";
-import jpeg from "jpeg-js";
-import { main, root, step } from "./steps.mjs";
+import { readJpeg, save, sheet } from "./pictures.mjs";
+import { main, step } from "./steps.mjs";
 
-/** @typedef {{ width: number, height: number, data: Uint8ClampedArray }} Pixels */
+/** @typedef {import("./pictures.mjs").Pixels} Pixels */
 /** @typedef {ReturnType<typeof presets>[number]} Preset */
-
-const docs = join(root, "docs");
-const GAP = 12;
 
 await main(async () => {
   await init();
-  mkdirSync(docs, { recursive: true });
   const photo = readJpeg("astronaut.jpg");
   const named = (/** @type {string} */ name) => {
     const preset = presets().find((preset) => preset.name === name);
@@ -137,45 +131,4 @@ function outline({ width, height, data }, { center, width: extent }, distance) {
       }
     }
   }
-}
-
-/**
- * Pictures of one size in rows, on white.
- *
- * @param {Pixels[]} pictures
- * @param {number} columns
- * @returns {Pixels}
- */
-function sheet(pictures, columns) {
-  const [{ width, height }] = pictures;
-  const rows = Math.ceil(pictures.length / columns);
-  const total = { width: columns * (width + GAP) - GAP, height: rows * (height + GAP) - GAP };
-  const data = new Uint8ClampedArray(4 * total.width * total.height).fill(255);
-  pictures.forEach((picture, index) => {
-    const left = (index % columns) * (width + GAP);
-    const top = Math.floor(index / columns) * (height + GAP);
-    for (let row = 0; row < height; row++) {
-      for (let column = 0; column < width; column++) {
-        const from = 4 * (row * width + column);
-        const to = 4 * ((top + row) * total.width + left + column);
-        const alpha = picture.data[from + 3] / 255;
-        for (let channel = 0; channel < 3; channel++) {
-          data[to + channel] = 255 + alpha * (picture.data[from + channel] - 255);
-        }
-      }
-    }
-  });
-  return { ...total, data };
-}
-
-/** @param {string} name @returns {Pixels} */
-function readJpeg(name) {
-  const { width, height, data } = jpeg.decode(readFileSync(join(root, "www", "images", name)), { useTArray: true });
-  return { width, height, data: new Uint8ClampedArray(data) };
-}
-
-/** @param {string} name @param {Pixels} pixels */
-function save(name, { width, height, data }) {
-  const { data: bytes } = jpeg.encode({ width, height, data: Buffer.from(data.buffer) }, 84);
-  writeFileSync(join(docs, name), bytes);
 }

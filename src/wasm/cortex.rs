@@ -5,9 +5,10 @@ use super::foveated::FoveatedTexture;
 use super::options::{self, FrameOptions, Point};
 use super::overlay::{self, OverlayOptions};
 use super::points;
+use super::riemann::RiemannMap;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
-use crate::map::cortex::{self, CorticalModel, Gaze, Hemisphere, VisualCortex};
+use crate::map::cortex::{self, CorticalModel, FieldPoint, Gaze, Hemisphere, Landmark, VisualCortex};
 use crate::map::{InvertibleMap, Jet, PlaneMap};
 use crate::plane::Frame;
 use crate::warp::Direction;
@@ -51,6 +52,23 @@ impl CorticalModelOptions {
     }
 }
 
+/// What fixes the map of an outline: a landmark of the field and the way of the horizontal meridian there.
+#[derive(Debug, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct LandmarkOptions {
+    /// The landmark in the right half of the field, in degrees; the blind spot, [15, −1.5], by default. It goes to the
+    /// center of the outline's region.
+    #[tsify(optional)]
+    pub landmark: Option<Point>,
+    /// Which way the cortex runs there as one moves away from the fovea, parallel to the horizontal meridian: radians,
+    /// counter-clockwise from the cortex plane's x axis.
+    pub direction: f64,
+    /// "left" (the default), as the outline is, or "right": its mirror image.
+    #[serde(default)]
+    #[tsify(optional)]
+    pub hemisphere: Hemisphere,
+}
+
 /// An eye before a picture.
 #[derive(Debug, Deserialize, Tsify)]
 #[serde(rename_all = "camelCase")]
@@ -77,6 +95,27 @@ impl RetinoCorticalMap {
     pub fn model(options: Ts<CorticalModelOptions>) -> Result<Self, Failure> {
         let options = options::read(&options)?;
         Ok(Self(VisualCortex::from_model(options.model()?, options.hemisphere)))
+    }
+
+    /// The map of an outline of V1, from the map that was solved for it: stereographic half disk → disk → outline.
+    ///
+    /// Throws "invalid-map" if the landmark is not inside the right half of the field, or "invalid-option".
+    pub fn outline(map: &RiemannMap, options: Ts<LandmarkOptions>) -> Result<Self, Failure> {
+        let LandmarkOptions { landmark, direction, hemisphere } = options::read(&options)?;
+        let field = landmark.map_or(FieldPoint::BLIND_SPOT, |z| FieldPoint::from_degrees(z.into()));
+        let cortex = map.inner().region().center();
+        let landmark = Landmark { field: field.coordinate(), cortex, direction };
+        let chain = cortex::RetinoCorticalMap::new(map.inner().clone(), landmark)?;
+        Ok(Self(VisualCortex::from_outline(chain, hemisphere)))
+    }
+
+    /// The outline of V1 under a closed formula, a polygon of so many vertices in millimetres: a model, not a measurement.
+    /// It begins at the fovea and is that of a left hemisphere.
+    ///
+    /// Throws "invalid-map" or "invalid-option".
+    #[wasm_bindgen(js_name = modelOutline)]
+    pub fn model_outline(options: Ts<CorticalModelOptions>, vertices: usize) -> Result<Vec<f64>, Failure> {
+        Ok(points::to_flat(&options::read(&options)?.model()?.outline(vertices)))
     }
 
     /// Visual field → cortex; NaN in the other half of the field.

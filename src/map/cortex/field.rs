@@ -16,6 +16,12 @@ impl FieldPoint {
     /// The middle of the blind spot of a right eye: 15° temporal and 1.5° below the line of sight.
     pub const BLIND_SPOT: Self = Self { eccentricity: 15.074_813, azimuth: -5.710_593 };
 
+    /// E·e^{iθ} in degrees → direction.
+    #[must_use]
+    pub fn from_degrees(z: Complex64) -> Self {
+        Self { eccentricity: z.norm(), azimuth: z.arg().to_degrees() }
+    }
+
     /// Direction → stereographic field coordinate tan(E/2)·e^{iθ}.
     ///
     /// ```
@@ -89,6 +95,7 @@ mod tests {
     fn the_blind_spot_is_where_it_should_be() {
         let degrees = one(&Degrees, FieldPoint::BLIND_SPOT.coordinate()).value;
         assert!((degrees - Complex64::new(15.0, -1.5)).norm() < 1e-5, "{degrees}");
+        assert_eq!(FieldPoint::from_degrees(Complex64::new(0.0, 2.0)), FieldPoint { eccentricity: 2.0, azimuth: 90.0 });
         let again = FieldPoint::from_coordinate(FieldPoint::BLIND_SPOT.coordinate());
         assert!((again.eccentricity - FieldPoint::BLIND_SPOT.eccentricity).abs() < 1e-13);
         assert!((again.azimuth - FieldPoint::BLIND_SPOT.azimuth).abs() < 1e-13);
