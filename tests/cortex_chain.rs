@@ -5,9 +5,10 @@
 mod common;
 
 use common::{largest, solve};
-use conformal_warp::map::cortex::{CorticalModel, FieldPoint, HalfDiskMap};
+use conformal_warp::map::cortex::{CorticalModel, FieldPoint, Landmark, RetinoCorticalMap};
 use conformal_warp::map::{Compose, InvertibleMap, Jet, Moebius, PlaneMap, RiemannMap};
-use conformal_warp::plane::{Complex64, Curve, Region};
+use conformal_warp::plane::{Complex64, Curve, Frame, Region};
+use conformal_warp::warp::{Light, Texture, Warp, WarpOptions, Wrap};
 
 fn jets(map: &impl PlaneMap, points: &[Complex64]) -> Vec<Jet> {
     let mut jets = vec![Jet::UNDEFINED; points.len()];
@@ -29,41 +30,25 @@ fn field() -> Vec<Complex64> {
     eccentricities.iter().flat_map(|&e| azimuths.iter().map(move |&a| point(e, a))).collect()
 }
 
-/// The outline's map with derivatives by differences of order 4, which is all that is asked of them here.
-struct Outline(RiemannMap);
-
-impl PlaneMap for Outline {
-    fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        const H: f64 = 1e-3;
-        let at = |shift: f64| self.0.to_disk(&points.iter().map(|z| z + shift).collect::<Vec<_>>());
-        let [far, near, value, after, beyond] = [-2.0 * H, -H, 0.0, H, 2.0 * H].map(at);
-        for (k, jet) in jets.iter_mut().enumerate() {
-            let slope = (8.0 * (after[k] - near[k]) - (beyond[k] - far[k])) / (12.0 * H);
-            *jet = Jet::analytic(value[k], slope);
-        }
-    }
-}
-
 /// The largest errors of the chain from an outline of so many vertices: in millimetres on the cortex, and of the magnification,
 /// relative. The blind spot and the direction of the horizontal meridian there are given.
 fn errors(vertices: usize) -> [f64; 2] {
-    let truth = truth();
-    let landmark = FieldPoint::BLIND_SPOT.coordinate();
-    let known = jets(&truth, &[landmark])[0];
+    let exact = jets(&truth(), &field());
+    let found = jets(&chain(vertices), &field());
+    let millimetres = found.iter().zip(&exact).map(|(found, exact)| (found.value - exact.value).norm());
+    let magnifications = found.iter().zip(&exact).map(|(found, exact)| (found.dz / exact.dz).norm() - 1.0);
+    [largest(millimetres), largest(magnifications.map(f64::abs))]
+}
+
+/// Half disk → cortex, through Symm's map of an outline of so many vertices.
+fn chain(vertices: usize) -> RetinoCorticalMap<RiemannMap> {
+    let field = FieldPoint::BLIND_SPOT.coordinate();
+    let known = truth().jet(field);
     let outline = CorticalModel::POLIMENI_2006.outline(vertices);
     assert_eq!(outline.len(), vertices);
     let region = Region::new(&outline, Curve::Polygon, known.value, outline[0]).expect("the outline is simple");
-    let outline = Outline(solve(&region, 1e-8));
-
-    let center = jets(&outline, &[known.value])[0];
-    let half_disk = HalfDiskMap::new(landmark, known.dz.arg() + center.dz.arg()).expect("the blind spot is inside");
-    let chain = Compose { outer: half_disk.inverted(), inner: outline };
-    let exact = jets(&truth, &field());
-    let found = jets(&chain, &exact.iter().map(|jet| jet.value).collect::<Vec<_>>());
-    let places = field().into_iter().zip(&found).zip(&exact);
-    let millimetres = places.map(|((s, found), exact)| (found.value - s).norm() * exact.dz.norm());
-    let magnifications = found.iter().zip(&exact).map(|(found, exact)| (found.dz * exact.dz).norm() - 1.0);
-    [largest(millimetres), largest(magnifications.map(f64::abs))]
+    let landmark = Landmark { field, cortex: known.value, direction: known.dz.arg() };
+    RetinoCorticalMap::new(solve(&region, 1e-8), landmark).expect("the blind spot is inside")
 }
 
 #[test]
@@ -74,4 +59,26 @@ fn symm_agrees_with_the_closed_form() {
     assert!(fine[0] < 1e-5 && fine[1] < 1e-4, "{fine:?}");
     // At least as the square of the edge length, in fact as its cube: the edges lie as much inside the curve as outside.
     assert!(middle[0] < coarse[0] / 4.0 && fine[0] < middle[0] / 4.0, "{coarse:?}, {middle:?}, {fine:?}");
+}
+
+/// The cortical picture itself: the closed form and Symm's chain draw the same pixels.
+#[test]
+fn both_draw_the_same_picture() {
+    let size = 256;
+    let pixel = |k: usize| {
+        let (x, y) = (k % size, k / size);
+        [(x ^ y) as u8, (3 * x) as u8, (2 * y) as u8, 255]
+    };
+    let rgba: Vec<u8> = (0..size * size).flat_map(pixel).collect();
+    let texture = Texture::new(&rgba, size, size, Wrap::Transparent, Light::Linear).expect("the sizes fit");
+    let half_disk = Frame::new(Complex64::ZERO, 2.0, [size, size]).expect("a frame");
+    let cortex = Frame::new(Complex64::new(40.0, 0.0), 90.0, [240, 160]).expect("a frame");
+    let options = WarpOptions::new(half_disk, cortex);
+    let exact = truth().inverted().warp(&texture, &options).expect("a picture");
+    let found = chain(200).inverted().warp(&texture, &options).expect("a picture");
+    let drawn = exact.as_chunks::<4>().0.iter().filter(|pixel| pixel[3] == 255).count();
+    assert!(drawn > 10_000, "only {drawn} pixels are drawn");
+    let differing = exact.iter().zip(&found).filter(|(a, b)| a.abs_diff(**b) > 2).count();
+    // Pixels at the rim, whose share of the cortex is sampled, may differ.
+    assert!(differing < 200, "{differing} of {} bytes differ", exact.len());
 }

@@ -82,6 +82,20 @@ pub trait PlaneMap {
     fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
         None
     }
+
+    /// The jet at one point.
+    fn jet(&self, point: Complex64) -> Jet {
+        let mut jet = [Jet::UNDEFINED];
+        self.jets(&[point], &mut jet);
+        jet[0]
+    }
+}
+
+/// Writes `f(point)` for every point, and [`Jet::UNDEFINED`] where it is none: the loop of maps that go point by point.
+fn pointwise(points: &[Complex64], jets: &mut [Jet], f: impl Fn(Complex64) -> Option<Jet>) {
+    for (&point, jet) in points.iter().zip(jets) {
+        *jet = f(point).unwrap_or(Jet::UNDEFINED);
+    }
 }
 
 impl<M: PlaneMap + ?Sized> PlaneMap for &M {

@@ -1,6 +1,6 @@
 //! Möbius maps z → (az + b)/(cz + d).
 
-use super::{InvertibleMap, Jet, PlaneMap};
+use super::{Inverse, InvertibleMap, Jet, PlaneMap, pointwise};
 use crate::plane::Complex64;
 use crate::{Error, Result};
 
@@ -157,10 +157,14 @@ impl Moebius {
 
 impl PlaneMap for Moebius {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        for (&z, jet) in points.iter().zip(jets) {
+        pointwise(points, jets, |z| {
             let value = self.apply(z);
-            *jet = if value.is_finite() { Jet::analytic(value, self.derivative(z)) } else { Jet::UNDEFINED };
-        }
+            value.is_finite().then(|| Jet::analytic(value, self.derivative(z)))
+        });
+    }
+
+    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(Inverse(self)))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The visual field: directions as eccentricity and azimuth, as the stereographic coordinate, and in degrees.
 
-use crate::map::{InvertibleMap, Jet, PlaneMap};
+use crate::map::{InvertibleMap, Jet, PlaneMap, pointwise};
 use crate::plane::Complex64;
 
 /// A direction of the visual field, in degrees.
@@ -55,29 +55,26 @@ fn radial(z: Complex64, ratio: f64, slope: f64) -> Jet {
 
 impl PlaneMap for Degrees {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        for (&s, jet) in points.iter().zip(jets) {
+        pointwise(points, jets, |s| {
             let rho = s.norm();
-            let ratio = if rho < 1e-8 { 2.0 } else { 2.0 * rho.atan() / rho };
-            let slope = 2.0 / (1.0 + rho * rho);
-            *jet = if rho.is_finite() { radial(s, ratio.to_degrees(), slope.to_degrees()) } else { Jet::UNDEFINED };
-        }
+            let ratio: f64 = if rho < 1e-8 { 2.0 } else { 2.0 * rho.atan() / rho };
+            let slope: f64 = 2.0 / (1.0 + rho * rho);
+            rho.is_finite().then(|| radial(s, ratio.to_degrees(), slope.to_degrees()))
+        });
     }
 }
 
 impl InvertibleMap for Degrees {
     fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        for (&z, jet) in points.iter().zip(jets) {
+        pointwise(points, jets, |z| {
             let degree = 1f64.to_radians();
             let half = 0.5 * z.norm() * degree;
-            // 180° is the point opposite to the line of sight, which has no coordinate.
-            if half.is_nan() || half >= std::f64::consts::FRAC_PI_2 {
-                *jet = Jet::UNDEFINED;
-                continue;
-            }
             let tangent = half.tan();
             let ratio = if half < 1e-8 { 0.5 } else { 0.5 * tangent / half };
-            *jet = radial(z, ratio * degree, 0.5 * degree * (1.0 + tangent * tangent));
-        }
+            // 180° is the point opposite to the line of sight, which has no coordinate.
+            (half < std::f64::consts::FRAC_PI_2)
+                .then(|| radial(z, ratio * degree, 0.5 * degree * (1.0 + tangent * tangent)))
+        });
     }
 }
 
@@ -85,15 +82,9 @@ impl InvertibleMap for Degrees {
 mod tests {
     use super::*;
 
-    fn one(map: &impl PlaneMap, z: Complex64) -> Jet {
-        let mut jet = [Jet::UNDEFINED];
-        map.jets(&[z], &mut jet);
-        jet[0]
-    }
-
     #[test]
     fn the_blind_spot_is_where_it_should_be() {
-        let degrees = one(&Degrees, FieldPoint::BLIND_SPOT.coordinate()).value;
+        let degrees = Degrees.jet(FieldPoint::BLIND_SPOT.coordinate()).value;
         assert!((degrees - Complex64::new(15.0, -1.5)).norm() < 1e-5, "{degrees}");
         assert_eq!(FieldPoint::from_degrees(Complex64::new(0.0, 2.0)), FieldPoint { eccentricity: 2.0, azimuth: 90.0 });
         let again = FieldPoint::from_coordinate(FieldPoint::BLIND_SPOT.coordinate());
@@ -104,8 +95,8 @@ mod tests {
     #[test]
     fn degrees_invert_with_their_jacobian() {
         for s in [(0.0, 0.0), (1e-9, 1e-9), (0.3, -0.2), (0.0, 1.0), (5.0, 2.0)].map(|(x, y)| Complex64::new(x, y)) {
-            let there = one(&Degrees, s);
-            let back = one(&Degrees.inverted(), there.value);
+            let there = Degrees.jet(s);
+            let back = Degrees.inverted().jet(there.value);
             assert!((back.value - s).norm() < 1e-13 * (1.0 + s.norm_sqr()), "{s} came back as {}", back.value);
             let product = back.after(&there);
             assert!(
@@ -119,7 +110,7 @@ mod tests {
                 assert!((across / along - e / e.sin()).abs() < 1e-12, "{s}");
             }
         }
-        assert!(one(&Degrees.inverted(), Complex64::new(180.0, 0.0)).value.is_nan());
+        assert!(Degrees.inverted().jet(Complex64::new(180.0, 0.0)).value.is_nan());
     }
 
     /// ∂/∂s̄ along the ray, with its sign.

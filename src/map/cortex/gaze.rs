@@ -1,7 +1,7 @@
 //! An eye that looks at a picture: perspective and fixation.
 
 use super::FieldPoint;
-use crate::map::{InvertibleMap, Jet, Moebius, PlaneMap};
+use crate::map::{InvertibleMap, Jet, Moebius, PlaneMap, pointwise};
 use crate::plane::{Complex64, Frame};
 use crate::{Error, Result};
 
@@ -65,17 +65,17 @@ impl Gaze {
         turned.after(&scaled)
     }
 
-    fn to_picture(self, s: Complex64) -> Jet {
+    /// What lies beside or behind the camera is not in the picture's plane.
+    fn to_picture(self, s: Complex64) -> Option<Jet> {
         let back = self.turn.inverse();
         let seen = back.apply(s);
-        // What lies beside or behind the camera is not in the picture's plane.
         if seen.is_nan() || seen.norm_sqr() >= 1.0 {
-            return Jet::UNDEFINED;
+            return None;
         }
         let q = gnomonic(seen);
         let scale = self.distance;
         let plane = Jet { value: self.middle + q.value * scale, dz: q.dz * scale, dzbar: q.dzbar * scale };
-        plane.after(&Jet::analytic(seen, back.derivative(s)))
+        Some(plane.after(&Jet::analytic(seen, back.derivative(s))))
     }
 }
 
@@ -95,17 +95,13 @@ fn gnomonic(s: Complex64) -> Jet {
 
 impl PlaneMap for Gaze {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        for (&point, jet) in points.iter().zip(jets) {
-            *jet = if point.is_finite() { self.to_field(point) } else { Jet::UNDEFINED };
-        }
+        pointwise(points, jets, |point| point.is_finite().then(|| self.to_field(point)));
     }
 }
 
 impl InvertibleMap for Gaze {
     fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        for (&point, jet) in points.iter().zip(jets) {
-            *jet = self.to_picture(point);
-        }
+        pointwise(points, jets, |s| self.to_picture(s));
     }
 }
 
@@ -113,12 +109,6 @@ impl InvertibleMap for Gaze {
 mod tests {
     use super::*;
     use std::f64::consts::FRAC_PI_4;
-
-    fn one(map: &impl PlaneMap, z: Complex64) -> Jet {
-        let mut jet = [Jet::UNDEFINED];
-        map.jets(&[z], &mut jet);
-        jet[0]
-    }
 
     fn gaze(fixation: Complex64) -> Gaze {
         let frame = Frame::new(Complex64::new(3.0, 1.0), 4.0, [400, 300]).unwrap();
@@ -158,18 +148,18 @@ mod tests {
     fn inverts_with_its_jacobian() {
         let gaze = gaze(Complex64::new(4.0, 0.3));
         for point in [(3.0, 1.0), (4.0, 0.3), (1.1, 0.0), (4.9, 2.4)].map(|(x, y)| Complex64::new(x, y)) {
-            let there = one(&gaze, point);
-            let back = one(&gaze.inverted(), there.value);
+            let there = gaze.jet(point);
+            let back = gaze.inverted().jet(there.value);
             assert!((back.value - point).norm() < 1e-13);
             let product = back.after(&there);
             assert!((product.dz - 1.0).norm() + product.dzbar.norm() < 1e-12, "{point}: {product:?}");
             let h = 1e-5;
             let [dx, dy] = [Complex64::new(h, 0.0), Complex64::new(0.0, h)]
-                .map(|step| (one(&gaze, point + step).value - one(&gaze, point - step).value) / (2.0 * h));
+                .map(|step| (gaze.jet(point + step).value - gaze.jet(point - step).value) / (2.0 * h));
             assert!((0.5 * (dx - Complex64::I * dy) - there.dz).norm() < 1e-9);
             assert!((0.5 * (dx + Complex64::I * dy) - there.dzbar).norm() < 1e-9);
         }
-        assert!(one(&gaze.inverted(), Complex64::new(-3.0, 0.0)).value.is_nan());
+        assert!(gaze.inverted().jet(Complex64::new(-3.0, 0.0)).value.is_nan());
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Closed formulas for the map from visual field to V1.
 
 use super::outline::polygon;
-use crate::map::{InvertibleMap, Jet, PlaneMap};
+use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap, pointwise};
 use crate::plane::Complex64;
 use crate::{Error, Result};
 use std::f64::consts::FRAC_PI_2;
@@ -196,20 +196,22 @@ impl CorticalModel {
 
 impl PlaneMap for CorticalModel {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        for (&z, jet) in points.iter().zip(jets) {
-            *jet = if self.contains(z) { self.forward(z) } else { Jet::UNDEFINED };
-        }
+        pointwise(points, jets, |z| self.contains(z).then(|| self.forward(z)));
+    }
+
+    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(Inverse(self)))
     }
 }
 
 impl InvertibleMap for CorticalModel {
     fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        for (&w, jet) in points.iter().zip(jets) {
-            let there = self.backward(w);
+        pointwise(points, jets, |w| {
             // Beyond half a turn the exponential has come round again.
             let first_sheet = (w.im / self.k).abs() <= std::f64::consts::PI;
-            *jet = if first_sheet && self.contains(there.value) { there } else { Jet::UNDEFINED };
-        }
+            let there = self.backward(w);
+            (first_sheet && self.contains(there.value)).then_some(there)
+        });
     }
 }
 
@@ -221,12 +223,6 @@ fn twice_area(polygon: &[Complex64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn one(map: &impl PlaneMap, z: Complex64) -> Jet {
-        let mut jet = [Jet::UNDEFINED];
-        map.jets(&[z], &mut jet);
-        jet[0]
-    }
 
     fn models() -> [CorticalModel; 4] {
         [
@@ -270,7 +266,7 @@ mod tests {
                 let radius = a * (steps * (f64::from(i) + 0.5)).exp_m1();
                 for j in 0..n {
                     let angle = std::f64::consts::PI * ((f64::from(j) + 0.5) / f64::from(n) - 0.5);
-                    let jet = one(&model, Complex64::from_polar(radius, angle));
+                    let jet = model.jet(Complex64::from_polar(radius, angle));
                     let determinant = jet.dz.norm_sqr() - jet.dzbar.norm_sqr();
                     sum += determinant * radius * (radius + a) * steps * std::f64::consts::PI / f64::from(n);
                 }
@@ -284,8 +280,8 @@ mod tests {
     fn inverts_with_its_derivative() {
         for model in models() {
             for z in field() {
-                let there = one(&model, z);
-                let back = one(&model.inverted(), there.value);
+                let there = model.jet(z);
+                let back = model.inverted().jet(there.value);
                 assert!((back.value - z).norm() < 1e-12 * (1.0 + z.norm()), "{model:?} at {z}: {}", back.value);
                 let product = back.after(&there);
                 assert!((product.dz - 1.0).norm() + product.dzbar.norm() < 1e-12, "{model:?} at {z}: {product:?}");
@@ -298,18 +294,18 @@ mod tests {
         let dipole = CorticalModel::POLIMENI_2006;
         for z in field() {
             let expected = 15.0 / (z + 0.69) - 15.0 / (z + 80.0);
-            assert!((one(&dipole, z).dz - expected).norm() < 1e-12 * expected.norm());
+            assert!((dipole.jet(z).dz - expected).norm() < 1e-12 * expected.norm());
             let published = 15.0 * ((z + 0.69) / (z + 80.0)).ln() + 15.0 * (80f64 / 0.69).ln();
-            assert!((one(&dipole, z).value - published).norm() < 1e-12 * 15.0);
+            assert!((dipole.jet(z).value - published).norm() < 1e-12 * 15.0);
         }
         assert!((dipole.magnification(10.0) - (15.0 / 10.69 - 15.0 / 90.0)).abs() < 1e-12);
         // The wedge along a ray and along a ring: dw/dθ is αiv·dw/dv.
         let wedge = models()[3];
         let (r, theta) = (7.0, 0.8);
         let z = Complex64::from_polar(r, theta);
-        let [ahead, behind] = [1e-5, -1e-5].map(|h| one(&wedge, Complex64::from_polar(r, theta + h)).value);
+        let [ahead, behind] = [1e-5, -1e-5].map(|h| wedge.jet(Complex64::from_polar(r, theta + h)).value);
         let along = Complex64::I * z;
-        let jet = one(&wedge, z);
+        let jet = wedge.jet(z);
         let predicted = jet.dz * along + jet.dzbar * along.conj();
         assert!(((ahead - behind) / 2e-5 - predicted).norm() < 1e-8 * predicted.norm());
         assert!(jet.dzbar.norm() > 0.04 * jet.dz.norm());
@@ -319,13 +315,11 @@ mod tests {
     fn only_the_hemifield_is_defined() {
         let dipole = CorticalModel::SCHIRA_2010;
         for z in [Complex64::new(-0.1, 3.0), Complex64::new(91.0, 0.0), Complex64::new(f64::NAN, 0.0)] {
-            assert!(one(&dipole, z).value.is_nan(), "{z}");
+            assert!(dipole.jet(z).value.is_nan(), "{z}");
         }
-        let far = one(&dipole, Complex64::new(90.0, 0.0)).value;
-        assert!(
-            one(&dipole.inverted(), far + 0.1).value.is_nan() && !one(&dipole.inverted(), far - 0.1).value.is_nan()
-        );
-        assert!(one(&dipole.inverted(), Complex64::new(1.0, 2.0 * 18.0 * std::f64::consts::PI)).value.is_nan());
+        let far = dipole.jet(Complex64::new(90.0, 0.0)).value;
+        assert!(dipole.inverted().jet(far + 0.1).value.is_nan() && !dipole.inverted().jet(far - 0.1).value.is_nan());
+        assert!(dipole.inverted().jet(Complex64::new(1.0, 2.0 * 18.0 * std::f64::consts::PI)).value.is_nan());
         for bad in [
             CorticalModel::dipole(15.0, 80.0, 0.69),
             CorticalModel::monopole(0.0, 1.0),

@@ -99,21 +99,15 @@ mod tests {
         (Compose { outer: half_disk, inner: Compose { outer: shrink, inner: dipole.inverted() } }, truth)
     }
 
-    fn one(map: &impl PlaneMap, z: Complex64) -> Jet {
-        let mut jet = [Jet::UNDEFINED];
-        map.jets(&[z], &mut jet);
-        jet[0]
-    }
-
     #[test]
     fn the_landmark_fixes_the_map() {
         let field = FieldPoint::BLIND_SPOT.coordinate();
         let (outline, truth) = exact(field);
-        let known = one(&truth, field);
+        let known = truth.jet(field);
         let landmark = Landmark { field, cortex: known.value, direction: known.dz.arg() };
         let map = RetinoCorticalMap::new(outline, landmark).unwrap();
         for s in [field, Complex64::new(0.02, 0.01), Complex64::new(0.3, -0.8), Complex64::new(0.9, 0.1)] {
-            let (found, expected) = (one(&map, s), one(&truth, s));
+            let (found, expected) = (map.jet(s), truth.jet(s));
             assert!(
                 (found.value - expected.value).norm() < 1e-11,
                 "{s} goes to {}, not {}",
@@ -121,7 +115,7 @@ mod tests {
                 expected.value
             );
             assert!((found.dz - expected.dz).norm() < 1e-10 * expected.dz.norm(), "{s}: {} {}", found.dz, expected.dz);
-            let back = one(&(&map).inverted(), found.value);
+            let back = (&map).inverted().jet(found.value);
             assert!((back.value - s).norm() < 1e-12 && (back.dz * found.dz - 1.0).norm() < 1e-10);
         }
     }
@@ -130,10 +124,10 @@ mod tests {
     fn another_direction_turns_the_cortex_about_the_landmark() {
         let field = Complex64::new(0.2, 0.1);
         let (outline, truth) = exact(field);
-        let cortex = one(&truth, field).value;
+        let cortex = truth.jet(field).value;
         for direction in [0.0, 1.0, -2.5] {
             let map = RetinoCorticalMap::new(outline.clone(), Landmark { field, cortex, direction }).unwrap();
-            let found = one(&map, field);
+            let found = map.jet(field);
             assert!((found.value - cortex).norm() < 1e-12);
             assert!((found.dz * Complex64::cis(-direction)).arg().abs() < 1e-12);
         }
@@ -143,7 +137,7 @@ mod tests {
     fn a_landmark_that_does_not_fit_is_refused() {
         let field = Complex64::new(0.2, 0.1);
         let (outline, truth) = exact(field);
-        let cortex = one(&truth, field).value;
+        let cortex = truth.jet(field).value;
         for (field, cortex) in [(field, cortex + 1.0), (Complex64::new(-0.1, 0.0), cortex)] {
             let landmark = Landmark { field, cortex, direction: 0.0 };
             assert_eq!(RetinoCorticalMap::new(outline.clone(), landmark).unwrap_err().code(), "invalid-map");

@@ -80,6 +80,10 @@ impl PlaneMap for VisualCortex {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         self.map.jets(points, jets);
     }
+
+    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(Inverse(self)))
+    }
 }
 
 impl InvertibleMap for VisualCortex {
