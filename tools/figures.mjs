@@ -21,6 +21,8 @@ const LIGHT = [255, 238, 150];
 // highlight on the nose, and the inward vector comes from above the forehead.
 /** @type {Frame} */
 const photoFrame = { center: [256, -256], width: 512, pixels: [512, 512] };
+/** The same plane, closer to the region. @type {Frame} */
+const headFrame = { center: [217, -155], width: 324, pixels: [512, 512] };
 const nose = [225, 125];
 const head = outlineOf(
   "146 148, 128 96, 142 44, 176 14, 226 4, 276 16, 306 56, 312 104, 292 150, 300 182, 330 214, 322 260, 290 292, " +
@@ -60,28 +62,33 @@ await main(async () => {
   await step("figure 3", () => {
     const mesh = JointTriangulation.regionToDisk(from, coarse);
     const [source, target] = copies(mesh);
-    const samples = { ...source, triangles: new Uint32Array() };
-    save("figure-3.jpg", sheet([drawVector(sketch(outlineOnly(source), photoFrame), nose, headTop), dots(samples, photoFrame), sketch(target, disk), sketch(source, photoFrame)]));
+    const region = drawVector(sketch(outlineOnly(source), headFrame), headFrame, nose, headTop);
+    save("figure-3.jpg", sheet([region, dots(source, headFrame), sketch(target, disk), sketch(source, headFrame)]));
     tell(mesh);
   });
   await step("figure 4", () => {
     const mesh = JointTriangulation.regionToDisk(from, coarse);
     const exact = JointTriangulation.regionToDisk(from, { frame: disk });
     const [source, target] = copies(mesh);
-    const warped = { width: SIZE, height: SIZE, data: exact.warp(texture, { texture: photoFrame, view: disk, quality: "best" }) };
+    const data = exact.warp(texture, { texture: photoFrame, view: disk, quality: "best" });
+    const warped = { width: SIZE, height: SIZE, data };
     save("figure-4.jpg", sheet([photo, overlay(photo, source, photoFrame), warped, overlay(warped, target, disk)]));
     tell(exact);
   });
-  const [fine, exact] = [coarse, { frame: photoFrame }].map((density) => JointTriangulation.regionToRegion(from, to, density));
+  const [fine, exact] = [coarse, { frame: photoFrame }].map((density) =>
+    JointTriangulation.regionToRegion(from, to, density),
+  );
   await step("figure 5", () => {
     const [source, target] = copies(fine);
     const onDisk = { ...source, points: from.toDisk(source.points) };
-    save("figure-5.jpg", sheet([drawVector(sketch(outlineOnly(target), photoFrame), leafCenter, leafTop), dots(target, photoFrame), sketch(onDisk, disk), sketch(target, photoFrame)]));
+    const region = drawVector(sketch(outlineOnly(target), photoFrame), photoFrame, leafCenter, leafTop);
+    save("figure-5.jpg", sheet([region, dots(target, photoFrame), sketch(onDisk, disk), sketch(target, photoFrame)]));
     tell(fine);
   });
   await step("figure 6", () => {
     const [source, target] = copies(fine);
-    const warped = { width: SIZE, height: SIZE, data: exact.warp(texture, { texture: photoFrame, view: photoFrame, quality: "best" }) };
+    const data = exact.warp(texture, { texture: photoFrame, view: photoFrame, quality: "best" });
+    const warped = { width: SIZE, height: SIZE, data };
     save("figure-6.jpg", sheet([photo, overlay(photo, source, photoFrame), warped, overlay(warped, target, photoFrame)]));
     tell(exact);
   });
@@ -120,7 +127,7 @@ function sketch(copy, frame) {
 function dots(copy, frame) {
   const paper = sketch(outlineOnly(copy), frame);
   const place = placing(copy.points, frame);
-  for (let k = 0; k < copy.points.length / 2; k++) drawLine(paper, place(k), place(k), 2.2, INK, 1);
+  for (let k = 0; k < copy.points.length / 2; k++) drawLine(paper, place(k), place(k), 3.5, INK, 1);
   return paper;
 }
 
@@ -131,10 +138,19 @@ function overlay(picture, copy, frame) {
   return over;
 }
 
-/** The inward vector, from the boundary to the center. @param {Pixels} picture @param {number[]} center @param {number[]} toward */
-function drawVector(picture, center, toward) {
-  drawLine(picture, toward, center, 1.6, [190, 40, 40], 1);
-  drawLine(picture, center, center, 5, [190, 40, 40], 1);
+/**
+ * The inward vector, from the boundary to the center.
+ *
+ * @param {Pixels} picture
+ * @param {Frame} frame
+ * @param {number[]} center
+ * @param {number[]} toward
+ */
+function drawVector(picture, frame, center, toward) {
+  const place = placing(Float64Array.from([...inPlane(toward), ...inPlane(center)]), frame);
+  const red = [190, 40, 40];
+  drawLine(picture, place(0), place(1), 2, red, 1);
+  drawLine(picture, place(1), place(1), 8, red, 1);
   return picture;
 }
 
@@ -150,7 +166,13 @@ function drawMesh(picture, { points, triangles, outline }, frame, color, opacity
   outline.forEach((a, k) => drawLine(picture, place(a), place(outline[(k + 1) % outline.length]), 1.6, color, 1));
 }
 
-/** Node → pixels. @param {Float64Array} points @param {Frame} frame @returns {(node: number) => number[]} */
+/**
+ * Node → pixels.
+ *
+ * @param {Float64Array} points
+ * @param {Frame} frame
+ * @returns {(node: number) => number[]}
+ */
 function placing(points, { center, width, pixels }) {
   const scale = pixels[0] / width;
   return (node) => [
