@@ -35,8 +35,8 @@ const TAKE_OVER: f64 = 40.0;
 /// More squares are not split; what is left is Newton's method on the nearest patch.
 const MAX_SQUARES: usize = 400_000;
 
-/// Linked charts differ by more than the solve's error, as their centers see each other near the circle.
-const JUMP_OF_CHARTS: f64 = 300.0;
+/// Radius of a series of which only the first two coefficients count.
+const SMALL: f64 = 1e-12;
 
 /// Pairs (w, z) that are known.
 type Seeds = Rc<Vec<(Complex64, Complex64)>>;
@@ -53,8 +53,7 @@ impl DiskSide {
             .filter(|(w, _)| w.norm_sqr() < 1.0)
             .collect();
         let start = seeds.iter().copied().min_by(|a, b| a.0.norm_sqr().total_cmp(&b.0.norm_sqr()));
-        let jump = if atlas.charts.len() > 1 { JUMP_OF_CHARTS } else { 1.0 };
-        let noise = jump * accuracy.solve_error;
+        let noise = accuracy.solve_error;
         let turns = std::array::from_fn(|k| Complex64::cis(TAU * k as f64 / SAMPLES as f64));
         let mut builder =
             Builder { atlas, region, chart, accuracy, size, cells: Cells::default(), turns, squares: 0, noise };
@@ -268,8 +267,10 @@ impl Builder<'_> {
         if own == self.chart {
             return Some((w, slope));
         }
-        let link = self.atlas.link(self.chart, own);
-        Some((link.apply(w), slope * link.slope(w)))
+        // The link is only as exact as two solves; this chart's own series is smooth beyond its home.
+        let mut coefficients = [Complex64::ZERO; 2];
+        self.atlas.charts[self.chart].expand(z, SMALL, &mut coefficients);
+        Some((coefficients[0], coefficients[1] / SMALL))
     }
 
     /// The patch whose middle is nearest along the circle.
