@@ -286,8 +286,9 @@ impl Builder<'_> {
             let holds = |(x, y): (f64, f64)| {
                 let w = square.center + Complex64::new(x, y) * square.half;
                 let size = w.norm();
-                let tau = patch.straightened(if size > 1.0 { w / size } else { w });
-                tau.norm_sqr() <= 1.0 && tau.im >= 0.0
+                let w = if size > 1.0 { w / size } else { w };
+                let tau = patch.straightened(w);
+                tau.norm_sqr() <= 1.0 && tau.im >= 0.0 && patch.leads_to(tau, w)
             };
             let spots = [-1.0, -0.5, 0.0, 0.5, 1.0];
             if spots.into_iter().all(|y| spots.into_iter().all(|x| holds((x, y)))) {

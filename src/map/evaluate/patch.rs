@@ -88,18 +88,38 @@ impl Patch {
         let mut guess = [Complex64::ZERO; 7];
         guess[1..].iter_mut().zip(self.inverse).for_each(|(g, c)| g.re = c);
         let mut tau = value(&guess, angle);
-        if tau.is_nan() || tau.norm_sqr() > 4.0 {
-            tau = angle * self.inverse[0];
+        if tau.is_nan() || tau.norm_sqr() > 1.0 {
+            tau /= tau.norm();
         }
+        tau = self.newton(angle, tau);
+        // Far from the middle the first guess may lead to a root of the series that lies outside the zone.
+        for start in STARTS {
+            if tau.norm_sqr() <= ROOTS_WITHIN {
+                break;
+            }
+            tau = self.newton(angle, start);
+        }
+        if on_circle { Complex64::new(tau.re, 0.0) } else { tau }
+    }
+
+    /// Newton's method, in steps that stay small against the zone.
+    fn newton(&self, angle: Complex64, mut tau: Complex64) -> Complex64 {
         for _ in 0..MOST_STEPS {
             let (miss, slope) = real_value_and_slope(&self.coefficients, tau);
             let step = (miss - angle) / slope;
-            tau -= step;
-            if step.is_nan() || step.norm_sqr() <= STEP * STEP * tau.norm_sqr() {
+            let size = step.norm();
+            tau -= if size > LONGEST_STEP { step * (LONGEST_STEP / size) } else { step };
+            if size.is_nan() || size <= STEP * tau.norm() {
                 break;
             }
         }
-        if on_circle { Complex64::new(tau.re, 0.0) } else { tau }
+        tau
+    }
+
+    /// Whether the patch takes τ to w: what Newton's method found is a solution.
+    #[must_use]
+    pub fn leads_to(&self, tau: Complex64, w: Complex64) -> bool {
+        (self.on_disk(real_value(&self.coefficients, tau)) - w).norm() < 1e-12
     }
 
     /// dz/dw where τ is known.
@@ -126,7 +146,18 @@ impl Patch {
 
 /// Newton's method ends after a step this small, the next being below rounding.
 const STEP: f64 = 1e-9;
-const MOST_STEPS: usize = 12;
+const MOST_STEPS: usize = 20;
+const LONGEST_STEP: f64 = 0.3;
+/// |τ|² of roots that belong to the zone, with some room.
+const ROOTS_WITHIN: f64 = 1.3;
+/// Where to start again.
+const STARTS: [Complex64; 5] = [
+    Complex64::new(0.0, 0.5),
+    Complex64::new(0.7, 0.2),
+    Complex64::new(-0.7, 0.2),
+    Complex64::new(0.6, 0.7),
+    Complex64::new(-0.6, 0.7),
+];
 
 /// The map at neighbouring points inside a zone, from as few power series as serve.
 struct Sampler<'a> {
