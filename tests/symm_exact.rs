@@ -15,16 +15,16 @@ fn c(re: f64, im: f64) -> Complex64 {
 fn schwarz_christoffel_polygons() {
     for name in EXACT_CASES {
         let case = case(name);
-        let map = solve(&case.region(), 1e-9);
+        let map = solve(&case.region(), 1e-10);
         let estimate = map.error_estimate();
-        assert!(estimate <= 1e-9, "{name}: estimate {estimate:e}");
+        assert!(estimate <= 1e-10, "{name}: estimate {estimate:e}");
         let vertices = largest(map.angles().iter().zip(&case.angles).map(|(a, b)| angle_error(*a, *b)));
-        assert!(vertices < 1e-9 && vertices <= estimate, "{name}: vertices {vertices:e}, estimate {estimate:e}");
+        assert!(vertices < 1e-10 && vertices <= estimate, "{name}: vertices {vertices:e}, estimate {estimate:e}");
         let w = map.to_disk(&points(&case.interior_z));
         let interior = largest(w.iter().zip(points(&case.interior_w)).map(|(a, b)| (a - b).norm()));
-        assert!(interior < 1e-9 && interior <= estimate, "{name}: interior {interior:e}, estimate {estimate:e}");
+        assert!(interior < 1e-10 && interior <= estimate, "{name}: interior {interior:e}, estimate {estimate:e}");
         let radius = (map.conformal_radius() / case.conformal_radius - 1.0).abs();
-        assert!(radius < 1e-9, "{name}: conformal radius {radius:e}");
+        assert!(radius < 1e-10, "{name}: conformal radius {radius:e}");
     }
 }
 
