@@ -38,8 +38,8 @@ pub struct RiemannMap {
     evaluator: Arc<OnceLock<Evaluator>>,
 }
 
-/// So few points are summed directly rather than that an evaluator is built for them.
-const FEW: usize = 64;
+/// Points × unknowns up to which summing directly costs less than building an evaluator (a fraction of a second).
+const DIRECT_WORK: usize = 5_000_000;
 const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 
 impl RiemannMap {
@@ -108,11 +108,11 @@ impl RiemannMap {
 
     /// Region → disk. NaN outside the closed region; boundary points go to the circle.
     ///
-    /// Accurate to the solve everywhere, up to the walls. The first call for more than a few points builds an evaluator
+    /// Accurate to the solve everywhere, up to the walls. The first call for many points builds an evaluator
     /// (see [`RiemannMap::evaluator_bytes`]); from then on a million points take a fraction of a second.
     #[must_use]
     pub fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
-        if points.len() <= FEW && self.evaluator.get().is_none() {
+        if self.evaluator.get().is_none() && points.len().saturating_mul(self.unknowns()) <= DIRECT_WORK {
             return self.to_disk_directly(points);
         }
         let (evaluator, turn) = (self.evaluator(), self.turn());
