@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { disk, drag, handle, middle, onPhoto, openPage, quarters, screenshot, settled, startBrowser } from "./support/page.mjs";
+import { chosenPhoto, disk, drag, handle, middle, onPhoto, openPage, quarters, screenshot, settled, startBrowser } from "./support/page.mjs";
 
 /** @type {Awaited<ReturnType<typeof startBrowser>>} */
 let session;
@@ -75,6 +75,7 @@ test("an outline that crosses itself is said so in words, in red, and the last p
 test("the vector's ends: the centre goes to 0, the other end to 1, on a picture with known colours", async () => {
   const { page, errors, close } = await openPage(session);
   await page.locator("#file").setInputFiles({ name: "quarters.png", mimeType: "image/png", buffer: await quarters(page) });
+  await chosenPhoto(page, "quarters.png");
   await settled(page, "ready");
   await page.locator("#choose-shape").selectOption("square");
   await settled(page, "ready");
@@ -99,6 +100,7 @@ test("the vector's ends: the centre goes to 0, the other end to 1, on a picture 
 test("the disk itself can be dragged: what was under the pointer stays under it, and upright turns it back", async () => {
   const { page, errors, close } = await openPage(session);
   await page.locator("#file").setInputFiles({ name: "quarters.png", mimeType: "image/png", buffer: await quarters(page) });
+  await chosenPhoto(page, "quarters.png");
   await settled(page, "ready");
   await page.locator("#choose-shape").selectOption("square");
   await settled(page, "ready");

@@ -45,6 +45,19 @@ export async function openPage({ browser, url }, hash = "", options = {}) {
   return { page, errors, close: () => context.close() };
 }
 
+/**
+ * Waits until the photo of that name is chosen: decoding a file takes a moment, in which the old picture is a ready one.
+ *
+ * @param {import("playwright-core").Page} page
+ * @param {string} name
+ */
+export async function chosenPhoto(page, name) {
+  await page.waitForFunction(
+    (name) => document.querySelector("#choose-photo option:checked")?.textContent === name,
+    name,
+  );
+}
+
 /** Waits for a state of the page. @param {Page} page @param {string} state */
 export async function settled(page, state) {
   await page.waitForFunction((wanted) => document.body.dataset.state === wanted, state);
