@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { chosenPhoto, middle, openPage, quarters, screenshot, settled, startBrowser } from "./support/page.mjs";
+import { middle, openPage, openQuarters, screenshot, settled, startBrowser } from "./support/page.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -53,9 +53,7 @@ test("opening shows what both hemispheres receive, with the model's source", asy
 
 test("the right of the field is seen at the right, the upper half above", async () => {
   const { page, errors, close } = await openCortex("#angle=100&lines=0");
-  await page.locator("#file").setInputFiles({ name: "quarters.png", mimeType: "image/png", buffer: await quarters(page) });
-  await chosenPhoto(page, "quarters.png");
-  await settled(page, "ready");
+  await openQuarters(page);
   const { samples } = await cortex(page, [[0.35, 0.4], [0.65, 0.4], [0.65, 0.6], [0.35, 0.6]]);
   assert.deepEqual(samples, [[255, 0, 0, 255], [0, 255, 0, 255], [0, 0, 255, 255], [255, 255, 255, 255]]);
   // Far to the left of the red quarter's corner: all of the picture lies to the right of the gaze.

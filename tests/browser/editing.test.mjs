@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { chosenPhoto, disk, drag, handle, middle, onPhoto, openPage, quarters, screenshot, settled, startBrowser } from "./support/page.mjs";
+import { chosenPhoto, disk, drag, handle, middle, onPhoto, openPage, openQuarters, screenshot, settled, startBrowser } from "./support/page.mjs";
 
 /** @type {Awaited<ReturnType<typeof startBrowser>>} */
 let session;
@@ -101,9 +101,7 @@ test("the keyboard alone moves points and both ends of the vector", async () => 
 test("another photo comes by file, by drop, by name; a file that is none is said so", async () => {
   const { page, errors, close } = await openPage(session);
   const first = await disk(page);
-  await page.locator("#file").setInputFiles({ name: "quarters.png", mimeType: "image/png", buffer: await quarters(page) });
-  await chosenPhoto(page, "quarters.png");
-  await settled(page, "ready");
+  await openQuarters(page);
   const second = await disk(page);
   assert.notEqual(second.digest, first.digest);
 

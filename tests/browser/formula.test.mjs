@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { chosenPhoto, middle, openPage, quarters, screenshot, settled, startBrowser } from "./support/page.mjs";
+import { middle, openPage, openQuarters, screenshot, settled, startBrowser } from "./support/page.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -57,9 +57,7 @@ test("opening shows a warped photo, its formula, and all presets as pictures", a
 
 test("multiplying by i turns the picture by a quarter, one way pulled back, the other pushed forward", async () => {
   const { page, errors, close } = await openFormula("#f=i+z&wrap=transparent&texture=0,0,2&view=0,0,4");
-  await page.locator("#file").setInputFiles({ name: "quarters.png", mimeType: "image/png", buffer: await quarters(page) });
-  await chosenPhoto(page, "quarters.png");
-  await settled(page, "ready");
+  await openQuarters(page);
   const [red, green, blue, white, nothing] = [[255, 0, 0, 255], [0, 255, 0, 255], [0, 0, 255, 255], [255, 255, 255, 255], [0, 0, 0, 0]];
   // Clockwise from the top left, then one place beyond the picture.
   /** @type {[number, number][]} */

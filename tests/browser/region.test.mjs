@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { chosenPhoto, disk, drag, handle, middle, onPhoto, openPage, quarters, screenshot, settled, startBrowser } from "./support/page.mjs";
+import { disk, drag, handle, middle, onPhoto, openPage, openQuarters, screenshot, settled, startBrowser } from "./support/page.mjs";
 
 /** @type {Awaited<ReturnType<typeof startBrowser>>} */
 let session;
@@ -74,9 +74,7 @@ test("an outline that crosses itself is said so in words, in red, and the last p
 
 test("the vector's ends: the centre goes to 0, the other end to 1, on a picture with known colours", async () => {
   const { page, errors, close } = await openPage(session);
-  await page.locator("#file").setInputFiles({ name: "quarters.png", mimeType: "image/png", buffer: await quarters(page) });
-  await chosenPhoto(page, "quarters.png");
-  await settled(page, "ready");
+  await openQuarters(page);
   await page.locator("#choose-shape").selectOption("square");
   await settled(page, "ready");
   // Centre in the middle, 1 at the right: the quarters keep their places on the disk.
@@ -99,9 +97,7 @@ test("the vector's ends: the centre goes to 0, the other end to 1, on a picture 
 
 test("the disk itself can be dragged: what was under the pointer stays under it, and upright turns it back", async () => {
   const { page, errors, close } = await openPage(session);
-  await page.locator("#file").setInputFiles({ name: "quarters.png", mimeType: "image/png", buffer: await quarters(page) });
-  await chosenPhoto(page, "quarters.png");
-  await settled(page, "ready");
+  await openQuarters(page);
   await page.locator("#choose-shape").selectOption("square");
   await settled(page, "ready");
   const { x, y, width } = /** @type {{ x: number, y: number, width: number }} */ (await page.locator("#disk").boundingBox());

@@ -58,6 +58,13 @@ export async function chosenPhoto(page, name) {
   );
 }
 
+/** Opens the picture of four known colours from a file, and waits until it is shown. @param {Page} page */
+export async function openQuarters(page) {
+  await page.locator("#file").setInputFiles({ name: "quarters.png", mimeType: "image/png", buffer: await quarters(page) });
+  await chosenPhoto(page, "quarters.png");
+  await settled(page, "ready");
+}
+
 /** Waits for a state of the page. @param {Page} page @param {string} state */
 export async function settled(page, state) {
   await page.waitForFunction((wanted) => document.body.dataset.state === wanted, state);
