@@ -1,7 +1,8 @@
 //! Symm's equation on panels: unknowns, collocation points, matrix rows.
 
+use super::order::Order;
 use super::panel::{Boundary, Panel};
-use super::rule::{Order, PanelRule, Rules};
+use super::rule::{PanelRule, Rules};
 use crate::plane::Complex64;
 use std::sync::Arc;
 

@@ -279,8 +279,9 @@ fn choose(n: usize, k: usize, binomials: &[f64], order: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::influence::DenseInfluence;
+    use super::super::order::Order;
     use super::super::panel::{Boundary, initial_panels};
-    use super::super::rule::{Order, Rules};
+    use super::super::rule::Rules;
     use super::*;
     use crate::plane::Polygon;
     use std::sync::Arc;

@@ -10,8 +10,8 @@
 //! region, also one of logarithmic capacity 1.
 //!
 //! In the order of the computation:
-//! - [`panel`] cuts the boundary; [`rule`] integrates the logarithm over a panel ([`log_moments`] when near);
-//!   [`discretisation`] writes the equations;
+//! - [`panel`] cuts the boundary; [`order`] says how finely; [`rule`] integrates the logarithm over a panel,
+//!   from [`panel_blocks`] ([`log_moments`] when near); [`discretisation`] writes the equations;
 //! - [`system`] solves them: by factorisation ([`lu`]) when small, else by iteration ([`gmres`]) with a preconditioner
 //!   ([`two_level`]) and products from stored entries ([`influence`]) or expansions ([`fast_multipole`], [`clusters`]);
 //! - [`solve`] refines until the estimate meets the tolerance; [`center`] moves the center of what is solved;
@@ -32,7 +32,9 @@ pub mod legendre;
 pub mod local_series;
 pub mod log_moments;
 pub mod lu;
+pub mod order;
 pub mod panel;
+pub mod panel_blocks;
 pub mod potential;
 pub mod rule;
 pub mod smooth;

@@ -7,65 +7,15 @@
 //! A regular panel is one piece whose density is the polynomial itself.
 //! Most targets are so far away that half the moments do: they are asked first.
 
-use super::legendre::{GaussRule, MAX_NODES};
+use super::fast_log;
+use super::legendre::MAX_NODES;
 use super::log_moments::{log_moments, outside_ellipse};
-use super::{fast_log, panel::Panel};
+use super::order::Order;
+use super::panel::Panel;
+use super::panel_blocks::{far_block, graded_blocks, regular_blocks};
 use crate::plane::Complex64;
 use std::collections::HashMap;
 use std::sync::Arc;
-
-/// Degrees and distances of a discretisation; all follow from the accuracy wanted.
-#[derive(Clone, Debug)]
-pub struct Order {
-    /// Nodes of a panel: p unknowns, density of degree p − 1 in τ.
-    pub panel: GaussRule,
-    /// Digits that the quadrature keeps.
-    pub digits: f64,
-    /// Nodes of a piece or union.
-    pub piece: GaussRule,
-    /// Gauss's rule serves a piece outside the Bernstein ellipse with this semi-axis.
-    piece_ellipse: f64,
-    /// The moments serve a union outside this one.
-    union_ellipse: f64,
-    /// Half as many nodes, whose moments serve a whole panel outside `far_ellipse`.
-    far: GaussRule,
-    far_ellipse: f64,
-}
-
-impl Order {
-    /// p unknowns a panel, and quadrature good to `10^-digits`.
-    #[must_use]
-    pub fn new(p: usize, digits: f64) -> Self {
-        let m = if digits > 9.0 {
-            16
-        } else if digits > 6.0 {
-            12
-        } else {
-            8
-        };
-        // Errors fall like ρ^−power: the semi-axis at which that is 10^−digits.
-        let semi_axis = |power: usize| (digits * std::f64::consts::LN_10 / power as f64).cosh();
-        Self {
-            panel: GaussRule::new(p),
-            digits,
-            piece: GaussRule::new(m),
-            piece_ellipse: semi_axis(2 * m - p.min(m)),
-            union_ellipse: semi_axis(m),
-            far: GaussRule::new(m / 2),
-            far_ellipse: semi_axis(m / 2),
-        }
-    }
-
-    fn nodes(&self, rows: Rows) -> &[f64] {
-        if rows == Rows::FarNodes { &self.far.nodes } else { &self.piece.nodes }
-    }
-
-    /// Unknowns a panel.
-    #[must_use]
-    pub fn p(&self) -> usize {
-        self.panel.len()
-    }
-}
 
 /// How the node masses of a panel with a given exponent act, on the panel scaled to [0, 1].
 #[derive(Clone, Debug)]
@@ -98,6 +48,12 @@ enum Rows {
     FarNodes,
     /// Legendre coefficients, for exact moments.
     Coefficients,
+}
+
+impl Rows {
+    fn nodes(self, order: &Order) -> &[f64] {
+        if self == Self::FarNodes { &order.far.nodes } else { &order.piece.nodes }
+    }
 }
 
 impl PanelRule {
@@ -193,7 +149,7 @@ impl PanelRule {
                 exact_logs(target, part, log_scale, logs, |moment| moment.re);
             } else {
                 let height = target.im * target.im;
-                for (log, t) in logs.iter_mut().zip(order.nodes(part.rows)) {
+                for (log, t) in logs.iter_mut().zip(part.rows.nodes(order)) {
                     let along = target.re - part.center - part.half * t;
                     *log = along * along + height;
                 }
@@ -244,7 +200,7 @@ impl PanelRule {
                 exact_logs(target, part, log_scale, logs, |moment| moment);
                 sum += logs.iter().zip(charges).map(|(log, charge)| log * charge).sum::<Complex64>();
             } else {
-                for (charge, t) in charges.iter().zip(order.nodes(part.rows)) {
+                for (charge, t) in charges.iter().zip(part.rows.nodes(order)) {
                     sum += ((target - (part.center + part.half * t)).ln() + log_scale) * charge;
                 }
             }
@@ -274,120 +230,6 @@ fn exact_logs<T: std::ops::AddAssign<f64>>(
     log_moments((target - part.center) / part.half, moments);
     logs.iter_mut().zip(moments).for_each(|(log, moment)| *log = take(*moment));
     logs[0] += 2.0 * (part.half.ln() + log_scale);
-}
-
-/// Blocks of a regular panel: masses on its m nodes, and its Legendre coefficients (padded to m rows).
-fn regular_blocks(order: &Order) -> Vec<f64> {
-    let (p, m) = (order.p(), order.piece.len());
-    let mut blocks = vec![0.0; 2 * m * p];
-    let mut basis = vec![0.0; p];
-    for i in 0..m {
-        order.panel.lagrange(order.piece.nodes[i], &mut basis);
-        for j in 0..p {
-            blocks[i * p + j] = order.piece.weights[i] * basis[j] / order.panel.weights[j];
-        }
-    }
-    for k in 0..p {
-        for j in 0..p {
-            blocks[(m + k) * p + j] = order.panel.coefficient_row(k)[j] / order.panel.weights[j];
-        }
-    }
-    blocks
-}
-
-/// m/2 × p: the masses on far nodes with the same first m/2 moments as the m × p masses given.
-fn far_block(order: &Order, union: &[f64]) -> Vec<f64> {
-    let p = order.p();
-    let mut block = vec![0.0; order.far.len() * p];
-    let mut basis = vec![0.0; order.far.len()];
-    for (t, masses) in order.piece.nodes.iter().zip(union.chunks_exact(p)) {
-        order.far.lagrange(*t, &mut basis);
-        for (row, b) in block.chunks_exact_mut(p).zip(&basis) {
-            row.iter_mut().zip(masses).for_each(|(r, mass)| *r += b * mass);
-        }
-    }
-    block
-}
-
-/// Blocks of a panel with a corner variable: unions 0 … levels, pieces 0 … levels−1, and the pieces' coefficients.
-fn graded_blocks(order: &Order, exponent: f64, levels: usize) -> Vec<f64> {
-    let (p, m) = (order.p(), order.piece.len());
-    let size = m * p;
-    let mut blocks = vec![0.0; (3 * levels + 1) * size];
-    let (unions, rest) = blocks.split_at_mut((levels + 1) * size);
-    let (pieces, moments) = rest.split_at_mut(levels * size);
-    // Below the last union the same halving goes on until nothing is left.
-    let depth = levels + (60.0 * exponent) as usize;
-    let [to_half, to_upper] = restriction(&order.piece);
-    let mut inner = vec![0.0; size];
-    for l in (0..depth).rev() {
-        let piece = piece_masses(order, exponent, l);
-        let mut union = vec![0.0; size];
-        add_product(&to_half, &inner, m, p, &mut union);
-        add_product(&to_upper, &piece, m, p, &mut union);
-        if l < levels {
-            unions[l * size..][..size].copy_from_slice(&union);
-            pieces[l * size..][..size].copy_from_slice(&piece);
-            add_product(&coefficients_of_masses(&order.piece), &piece, m, p, &mut moments[l * size..][..size]);
-        } else if l == levels {
-            unions[l * size..][..size].copy_from_slice(&union);
-        }
-        inner = union;
-    }
-    blocks
-}
-
-/// m × p: mass on the Gauss nodes of [2^(−l−1), 2^(−l)] for unit masses at the panel's nodes.
-fn piece_masses(order: &Order, exponent: f64, l: usize) -> Vec<f64> {
-    let (p, m) = (order.p(), order.piece.len());
-    let reach = (-(l as f64)).exp2();
-    let mut masses = vec![0.0; m * p];
-    let mut basis = vec![0.0; p];
-    for i in 0..m {
-        let s = reach * (0.75 + 0.25 * order.piece.nodes[i]);
-        let tau = s.powf(1.0 / exponent);
-        // dμ = g dτ with dτ/ds = τ/(a s); a unit mass at node j is g = basis_j · 2/w_j.
-        let jacobian = tau / (exponent * s) * 0.25 * reach * order.piece.weights[i];
-        order.panel.lagrange(2.0 * tau - 1.0, &mut basis);
-        for j in 0..p {
-            masses[i * p + j] = jacobian * basis[j] * 2.0 / order.panel.weights[j];
-        }
-    }
-    masses
-}
-
-/// m × m matrices that carry masses on the nodes of the inner half [0, ½], and of the outer piece [½, 1], to masses on
-/// the nodes of [0, 1] with the same first m moments.
-fn restriction(rule: &GaussRule) -> [Vec<f64>; 2] {
-    let m = rule.len();
-    let mut basis = vec![0.0; m];
-    [-0.5, 0.5].map(|shift| {
-        let mut matrix = vec![0.0; m * m];
-        for from in 0..m {
-            rule.lagrange(shift + 0.5 * rule.nodes[from], &mut basis);
-            for to in 0..m {
-                matrix[to * m + from] = basis[to];
-            }
-        }
-        matrix
-    })
-}
-
-/// m × m: Legendre coefficients (in t on [−1, 1]) of the density that has the given masses at the nodes.
-fn coefficients_of_masses(rule: &GaussRule) -> Vec<f64> {
-    let m = rule.len();
-    (0..m * m).map(|index| rule.coefficient_row(index / m)[index % m] / rule.weights[index % m]).collect()
-}
-
-/// result (m × p) += left (m × m) · right (m × p).
-fn add_product(left: &[f64], right: &[f64], m: usize, p: usize, result: &mut [f64]) {
-    for i in 0..m {
-        for k in 0..m {
-            let factor = left[i * m + k];
-            let row = &right[k * p..][..p];
-            result[i * p..][..p].iter_mut().zip(row).for_each(|(r, x)| *r += factor * x);
-        }
-    }
 }
 
 /// The rules of all exponents met so far: equal corners, and the halves of split panels, share one.

@@ -2,8 +2,9 @@
 
 use super::center::moved_measure;
 use super::discretisation::Discretisation;
+use super::order::Order;
 use super::panel::{Boundary, Panel, initial_panels};
-use super::rule::{Order, Rules};
+use super::rule::Rules;
 use super::solution::{ERROR_PER_RESIDUAL, estimate_of, finish};
 use super::system::System;
 use crate::plane::{Complex64, Region};

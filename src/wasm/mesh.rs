@@ -1,6 +1,7 @@
 //! `JointTriangulation` in JavaScript.
 
 use super::error::Failure;
+use super::memory;
 use super::options::{self, FrameOptions};
 use super::points;
 use super::riemann::RiemannMap;
@@ -70,6 +71,7 @@ impl JointTriangulation {
     #[wasm_bindgen(js_name = regionToDisk)]
     pub fn region_to_disk(map: &RiemannMap, options: Ts<SamplingOptions>) -> Result<Self, Failure> {
         let options = options::read(&options)?.into_mesh_options()?;
+        memory::reserve(0);
         Ok(Self(mesh::JointTriangulation::region_to_disk(map.inner(), &options)?))
     }
 
@@ -79,6 +81,7 @@ impl JointTriangulation {
     #[wasm_bindgen(js_name = regionToRegion)]
     pub fn region_to_region(from: &RiemannMap, to: &RiemannMap, options: Ts<SamplingOptions>) -> Result<Self, Failure> {
         let options = options::read(&options)?.into_mesh_options()?;
+        memory::reserve(0);
         Ok(Self(mesh::JointTriangulation::region_to_region(from.inner(), to.inner(), &options)?))
     }
 

@@ -3,12 +3,13 @@
 //! One file a class; its documentation is written for JavaScript, where it becomes the package's types and their help.
 //! What the classes share: [`error`] (an error → `Error` with a `code`), [`options`] (plain objects → Rust structs,
 //! with errors in words), [`points`] (`Float64Array` ↔ complex numbers), [`progress`] (the caller's `onProgress`),
-//! [`warp`] (the methods `warp` and `paint`), [`overlay`] (the method `overlay`).
+//! [`memory`] (room made at once), [`warp`] (the methods `warp` and `paint`), [`overlay`] (the method `overlay`).
 
 pub mod cortex;
 pub mod error;
 pub mod formula;
 pub mod foveated;
+pub mod memory;
 pub mod mesh;
 pub mod options;
 pub mod overlay;

@@ -1,6 +1,7 @@
 //! `RiemannMap` in JavaScript.
 
 use super::error::Failure;
+use super::memory;
 use super::options::{self, Point};
 use super::points;
 use super::progress::Progress;
@@ -62,6 +63,7 @@ impl RiemannMap {
             tolerance: given.tolerance.unwrap_or(defaults.tolerance),
             max_unknowns: given.max_unknowns.unwrap_or(defaults.max_unknowns),
         };
+        memory::reserve(region.inner().boundary().len());
         let mut progress = Progress::new(given.on_progress);
         let solved =
             map::RiemannMap::solve(region.inner(), &options, &mut |stage, fraction| progress.report(stage, fraction));
@@ -84,7 +86,7 @@ impl RiemannMap {
     #[wasm_bindgen(js_name = toDisk)]
     pub fn to_disk(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         let points = points::from_flat("The points", points)?;
-        Ok(points::to_flat(&self.0.to_disk(&points)))
+        Ok(points::to_flat(&self.evaluated().to_disk(&points)))
     }
 
     /// Disk → region, the inverse of `toDisk`; NaN outside the closed disk. What a long region crowds into an arc that double
@@ -92,18 +94,18 @@ impl RiemannMap {
     #[wasm_bindgen(js_name = fromDisk)]
     pub fn from_disk(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         let points = points::from_flat("The points", points)?;
-        Ok(points::to_flat(&self.0.from_disk(&points)))
+        Ok(points::to_flat(&self.evaluated().from_disk(&points)))
     }
 
     /// f' of the map region → disk, per plane unit; NaN outside the closed region, infinite at a re-entrant vertex.
     pub fn derivative(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         let points = points::from_flat("The points", points)?;
-        Ok(points::to_flat(&self.0.derivative(&points)))
+        Ok(points::to_flat(&self.evaluated().derivative(&points)))
     }
 
     /// Builds what makes evaluation fast now, instead of at its first use.
     pub fn prepare(&self) {
-        self.0.prepare();
+        self.evaluated().prepare();
     }
 
     /// Bytes that this takes; 0 before its first use.
@@ -168,6 +170,14 @@ impl RiemannMap {
     /// The map itself, for the classes that are made from one.
     #[must_use]
     pub fn inner(&self) -> &map::RiemannMap {
+        &self.0
+    }
+
+    /// The map itself, with room for the evaluator that its first use builds.
+    fn evaluated(&self) -> &map::RiemannMap {
+        if self.0.evaluator_bytes() == 0 {
+            memory::reserve(0);
+        }
         &self.0
     }
 }
