@@ -68,6 +68,17 @@ pub enum Error {
         /// Rows.
         height: usize,
     },
+    /// A texture that a prepared warp is not good for.
+    #[error(
+        "This warp was prepared for textures of {} x {} pixels with one wrap mode; this one has {} x {}, or another mode.",
+        .expected[0], .expected[1], .found[0], .found[1]
+    )]
+    OtherTexture {
+        /// Columns and rows that it was prepared for.
+        expected: [usize; 2],
+        /// Columns and rows given.
+        found: [usize; 2],
+    },
     /// Rows that the view does not have.
     #[error("The rows {start} to {end} are not rows of a view with {height}.")]
     InvalidRows {
@@ -170,6 +181,7 @@ impl Error {
             Self::InvalidOption { .. } => "invalid-option",
             Self::WrongLength { .. } => "wrong-length",
             Self::TextureTooLarge { .. } => "texture-too-large",
+            Self::OtherTexture { .. } => "other-texture",
             Self::InvalidRows { .. } => "invalid-rows",
             Self::InvalidTriangle { .. } => "invalid-triangle",
             Self::Crowded { .. } => "crowded",

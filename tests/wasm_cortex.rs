@@ -41,7 +41,7 @@ fn a_picture_is_warped_onto_the_cortex() {
     let frame = "{ center: [0, 0], width: 2, pixels: [8, 8] }";
     let gaze = object::<GazeOptions>(&format!("picture: {frame}, fieldOfView: 60, fixation: [0, 0]"));
     let image = map.seeing(gaze).unwrap();
-    let texture = Texture::new(&[90, 120, 150, 255].repeat(64), 8, 8, None::<Ts<TextureOptions>>).unwrap();
+    let mut texture = Texture::new(&[90, 120, 150, 255].repeat(64), 8, 8, None::<Ts<TextureOptions>>).unwrap();
     let view = "{ center: [30, 0], width: 90, pixels: [90, 90] }";
     let options = object::<DrawOptions>(&format!("texture: {frame}, view: {view}"));
     let rgba = image.warp(&texture, options).unwrap().to_vec();
@@ -53,6 +53,19 @@ fn a_picture_is_warped_onto_the_cortex() {
     let options = object::<DrawOptions>(&format!("texture: {frame}, view: {view}"));
     let again = image.warp_foveated(&foveated, options).unwrap().to_vec();
     assert_eq!((foveated.levels(), again[4 * (45 * 90 + 20)]), (1, 90));
+
+    let options = object::<DrawOptions>(&format!("texture: {frame}, view: {view}"));
+    let mut prepared = image.prepare_warp(&texture, options).unwrap();
+    assert!(prepared.warp(&texture, None).unwrap().to_vec() == rgba);
+    texture.replace(&[200, 10, 10, 255].repeat(64)).unwrap();
+    let out = js_sys::Uint8ClampedArray::new_with_length(4 * 90 * 90);
+    let filled = prepared.warp(&texture, Some(out.clone())).unwrap();
+    assert!(js_sys::Object::is(&filled, &out) && out.get_index(4 * (45 * 90 + 20)) == 200);
+    let short = prepared.warp(&texture, Some(js_sys::Uint8ClampedArray::new_with_length(4))).unwrap_err();
+    assert_eq!(Reflect::get(&JsValue::from(short), &"code".into()).unwrap(), "wrong-length");
+    let options = object::<DrawOptions>(&format!("texture: {frame}, view: {view}"));
+    let mut prepared = image.prepare_foveated(&foveated, options).unwrap();
+    assert!(prepared.warp_foveated(&foveated, None).unwrap().to_vec() == again);
 
     let seen = image.to_picture(&map.to_cortex(&[30.0, 0.0]).unwrap()).unwrap();
     assert!((seen[0] - 1.0).abs() < 1e-12 && seen[1].abs() < 1e-12, "{seen:?}");

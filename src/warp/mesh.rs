@@ -1,10 +1,11 @@
 //! Warping by a joint triangulation: the same triangles on two sets of points, affine on each.
 
 use super::outline::{Coverage, OutlineEdge, outline};
+use super::prepared::Reach;
 use super::raster::{Corner, Overlap, Triangle, span_of};
-use super::render::{Footprints, TexelGrid, render};
+use super::render::{Footprints, TexelGrid, each_strip, render};
 use super::strip::{self, Strip};
-use super::{Direction, Texture, Warp, WarpOptions};
+use super::{Direction, PreparedWarp, Texture, Warp, WarpOptions};
 use crate::plane::{Complex64, Frame};
 use crate::{Error, Result};
 
@@ -45,6 +46,16 @@ pub struct TriangleMesh<'a> {
 
 impl Warp for TriangleMesh<'_> {
     fn warp_into(&self, texture: &Texture, options: &WarpOptions, out: &mut [u8]) -> Result<()> {
+        render(texture, options, out, |each| self.strips(texture, options, each))
+    }
+
+    fn prepare(&self, texture: &Texture, options: &WarpOptions) -> Result<PreparedWarp> {
+        PreparedWarp::record(texture, options, Reach::of(texture), |each| self.strips(texture, options, each))
+    }
+}
+
+impl TriangleMesh<'_> {
+    fn strips(&self, texture: &Texture, options: &WarpOptions, each: &mut dyn FnMut(&Strip)) -> Result<()> {
         self.validate()?;
         let (view, shown, towards_view) = match options.direction {
             Direction::PushForward => (self.target, self.source, 1.0),
@@ -61,11 +72,9 @@ impl Warp for TriangleMesh<'_> {
             None => set_levels_from_triangles(&mut corners, self.triangles),
         }
         let mut raster = MeshRaster::new(&corners, self.triangles, &options.view, Overlap::Later);
-        render(texture, options, &mut raster, out)
+        each_strip(options, &mut raster, each)
     }
-}
 
-impl TriangleMesh<'_> {
     /// Checks lengths and node numbers.
     fn validate(&self) -> Result<()> {
         let nodes = self.source.len();
@@ -130,7 +139,6 @@ pub(super) struct MeshRaster<'a> {
     order: Vec<u32>,
     starts: Vec<usize>,
     overlap: Overlap,
-    coverage: Option<Coverage>,
 }
 
 impl<'a> MeshRaster<'a> {
@@ -138,7 +146,7 @@ impl<'a> MeshRaster<'a> {
         let triangles: Vec<_> = triangles.iter().filter_map(|&ends| oriented(corners, ends)).collect();
         let edges = outline(corners.len(), &triangles);
         let (order, starts) = sorted_into_strips(corners, &triangles, view.pixels()[1]);
-        Self { corners, triangles, edges, order, starts, overlap, coverage: None }
+        Self { corners, triangles, edges, order, starts, overlap }
     }
 }
 
@@ -197,13 +205,7 @@ impl Footprints for MeshRaster<'_> {
                 }
             });
         }
-        self.coverage = Some(coverage);
-    }
-
-    fn finish(&mut self, _: &Strip, out: &mut [u8]) {
-        if let Some(coverage) = &self.coverage {
-            coverage.apply(out);
-        }
+        coverage.partial(&mut strip.shares);
     }
 }
 

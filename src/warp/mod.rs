@@ -9,6 +9,7 @@
 //! TriangleMesh ────────────────────────────────────┴► footprints ─► sampler (nearest … best) ─► RGBA
 //! ```
 
+mod crop;
 mod foveated;
 mod joint;
 mod light;
@@ -19,6 +20,7 @@ mod outline;
 mod overlay;
 mod palette;
 mod patch;
+mod prepared;
 mod pull_back;
 mod push_forward;
 mod pyramid;
@@ -35,10 +37,13 @@ pub use light::Light;
 pub use mesh::TriangleMesh;
 pub use options::{Direction, Quality, WarpOptions};
 pub use overlay::{Overlay, Stroke};
+pub use prepared::PreparedWarp;
 pub use texture::{Texture, Wrap};
 
 use crate::Result;
 use crate::map::PlaneMap;
+use prepared::Reach;
+use strip::Strip;
 
 /// What can move a picture.
 pub trait Warp {
@@ -48,6 +53,13 @@ pub trait Warp {
     /// # Errors
     /// [`crate::Error::WrongLength`] if `out` does not fit, [`crate::Error::InvalidRows`], and those of the map.
     fn warp_into(&self, texture: &Texture, options: &WarpOptions, out: &mut [u8]) -> Result<()>;
+
+    /// What [`Warp::warp_into`] finds out before it looks at a texel: for pictures that change under a map and a view that
+    /// do not. It is good for all textures of the size and wrap mode of `texture`.
+    ///
+    /// # Errors
+    /// [`crate::Error::InvalidRows`], and those of the map.
+    fn prepare(&self, texture: &Texture, options: &WarpOptions) -> Result<PreparedWarp>;
 
     /// [`Warp::warp_into`], into a new vector.
     ///
@@ -62,12 +74,26 @@ pub trait Warp {
 
 impl<M: PlaneMap + ?Sized> Warp for M {
     fn warp_into(&self, texture: &Texture, options: &WarpOptions, out: &mut [u8]) -> Result<()> {
-        match options.direction {
-            Direction::PullBack => pull_back::pull_back(self, texture, options, out),
-            Direction::PushForward => match self.inverse() {
-                Some(inverse) => pull_back::pull_back(&*inverse, texture, options, out),
-                None => push_forward::push_forward(self, texture, options, out),
-            },
-        }
+        render::render(texture, options, out, |each| strips(self, texture, options, each))
+    }
+
+    fn prepare(&self, texture: &Texture, options: &WarpOptions) -> Result<PreparedWarp> {
+        PreparedWarp::record(texture, options, Reach::of(texture), |each| strips(self, texture, options, each))
+    }
+}
+
+/// Hands on the strips of a map's warp.
+fn strips<M: PlaneMap + ?Sized>(
+    map: &M,
+    texture: &Texture,
+    options: &WarpOptions,
+    each: &mut dyn FnMut(&Strip),
+) -> Result<()> {
+    match options.direction {
+        Direction::PullBack => pull_back::pull_back(map, texture, options, each),
+        Direction::PushForward => match map.inverse() {
+            Some(inverse) => pull_back::pull_back(&*inverse, texture, options, each),
+            None => push_forward::push_forward(map, texture, options, each),
+        },
     }
 }

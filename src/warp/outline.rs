@@ -124,20 +124,16 @@ impl Coverage {
         }
     }
 
-    /// Multiplies the alpha of each pixel of `out` (rows of 4 · width bytes) by its share.
-    pub fn apply(&self, out: &mut [u8]) {
-        let rows = out.chunks_exact_mut(4 * self.width).zip(self.cells.chunks_exact(self.width + 2));
-        for (row, (line, cells)) in rows.enumerate() {
-            if !self.touched[row] {
-                continue;
-            }
+    /// Adds the pixels (row, column, share) that lie neither wholly inside nor wholly outside to `shares`.
+    pub fn partial(&self, shares: &mut Vec<(usize, usize, f32)>) {
+        for (row, cells) in self.cells.chunks_exact(self.width + 2).enumerate().filter(|(row, _)| self.touched[*row]) {
             let mut sum = 0.0_f32;
-            for (pixel, cell) in line.as_chunks_mut::<4>().0.iter_mut().zip(cells) {
+            for (column, cell) in cells[..self.width].iter().enumerate() {
                 sum += cell;
                 let share = sum.abs();
                 // Rounding of the running sum must not dim what is wholly covered.
                 if share < 1.0 - 1.0 / 1024.0 {
-                    pixel[3] = (f32::from(pixel[3]) * share + 0.5) as u8;
+                    shares.push((row, column, share));
                 }
             }
         }
@@ -156,9 +152,12 @@ mod tests {
         for (k, &a) in polygon.iter().enumerate() {
             coverage.add_edge(a, polygon[(k + 1) % polygon.len()], |_, _| {});
         }
-        let mut out = vec![255; 4 * width * rows];
-        coverage.apply(&mut out);
-        out.chunks(4).map(|pixel| pixel[3]).collect()
+        let (mut alpha, mut shares) = (vec![255; width * rows], Vec::new());
+        coverage.partial(&mut shares);
+        for (row, column, share) in shares {
+            alpha[row * width + column] = (255.0 * share + 0.5) as u8;
+        }
+        alpha
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::node::{Node, Pair, Scale};
 use super::options::WarpOptions;
 use super::patch::{Patch, log2};
 use super::refine::{LARGEST, Sight, Square};
-use super::render::{Footprints, TexelGrid, render};
+use super::render::{Footprints, TexelGrid, each_strip};
 use super::strip::{self, Strip};
 use super::texture::{Texture, Wrap};
 use crate::Result;
@@ -13,17 +13,16 @@ use crate::map::PlaneMap;
 // A strip is a row of blocks.
 const _: () = assert!(strip::ROWS == LARGEST);
 
-/// Draws the pull-back of the texture by the map.
+/// The footprints of the pull-back of the texture by the map.
 pub(super) fn pull_back<M: PlaneMap + ?Sized>(
     map: &M,
     texture: &Texture,
     options: &WarpOptions,
-    out: &mut [u8],
+    each: &mut dyn FnMut(&Strip),
 ) -> Result<()> {
     let scale = Scale::new(TexelGrid::new(options.texture, texture), &options.view);
     let sight = Sight { map, view: options.view, scale };
-    let mut footprints = PullBack { sight, period: period(texture), partial: Vec::new() };
-    render(texture, options, &mut footprints, out)
+    each_strip(options, &mut PullBack { sight, period: period(texture) }, each)
 }
 
 /// After how many texels the texture comes back; infinite if it does not.
@@ -39,13 +38,10 @@ fn period(texture: &Texture) -> Pair {
 struct PullBack<'a, M: ?Sized> {
     sight: Sight<'a, M>,
     period: Pair,
-    /// Pixels at the edge of the domain, with the share of them that is inside.
-    partial: Vec<(usize, f32)>,
 }
 
 impl<M: PlaneMap + ?Sized> Footprints for PullBack<'_, M> {
     fn fill(&mut self, strip: &mut Strip) {
-        self.partial.clear();
         let pieces = self.sight.pieces(strip.first_row / LARGEST * LARGEST);
         for (square, patch) in &pieces.smooth {
             self.draw_patch(strip, patch, square);
@@ -53,14 +49,6 @@ impl<M: PlaneMap + ?Sized> Footprints for PullBack<'_, M> {
         let mut edge = pixels_of(&pieces.ragged, strip);
         edge.extend(self.draw_pixels(strip, &pixels_of(&pieces.rough, strip)));
         self.draw_edge_pixels(strip, &edge);
-    }
-
-    fn finish(&mut self, strip: &Strip, out: &mut [u8]) {
-        for &(pixel, share) in &self.partial {
-            let (row, column) = (pixel / strip.stride, pixel % strip.stride);
-            let alpha = &mut out[4 * (row * strip.width + column) + 3];
-            *alpha = (f32::from(*alpha) * share + 0.5) as u8;
-        }
     }
 }
 
@@ -101,7 +89,7 @@ impl<M: PlaneMap + ?Sized> PullBack<'_, M> {
     }
 
     /// Takes many samples in each pixel: the best of them is what it shows, their share its alpha.
-    fn draw_edge_pixels(&mut self, strip: &mut Strip, pixels: &[(usize, usize)]) {
+    fn draw_edge_pixels(&self, strip: &mut Strip, pixels: &[(usize, usize)]) {
         const COUNT: usize = EDGE_SAMPLES * EDGE_SAMPLES;
         let offset = |k: usize| (k as f64 + 0.5) / EDGE_SAMPLES as f64;
         let samples_of = |&(x, y): &(usize, usize)| {
@@ -117,8 +105,7 @@ impl<M: PlaneMap + ?Sized> PullBack<'_, M> {
                 self.put(strip, column, row, node);
                 // One sample without a value is a point that the map leaves out, not an edge.
                 if inside + 1 < COUNT {
-                    let pixel = strip.start(row - strip.first_row) + column;
-                    self.partial.push((pixel, inside as f32 / COUNT as f32));
+                    strip.shares.push((row - strip.first_row, column, inside as f32 / COUNT as f32));
                 }
             }
         }

@@ -3,20 +3,21 @@
 use super::mesh::MeshRaster;
 use super::options::WarpOptions;
 use super::raster::{Corner, Overlap};
-use super::render::{TexelGrid, render};
+use super::render::{TexelGrid, each_strip};
 use super::source_mesh::source_mesh;
+use super::strip::Strip;
 use super::texture::Texture;
 use crate::Result;
 use crate::map::PlaneMap;
 
-/// Draws the image under the map of the texture's frame: of the picture once, whatever its wrap mode.
+/// The footprints of the image under the map of the texture's frame: of the picture once, whatever its wrap mode.
 ///
 /// Where sheets overlap, the point that is lowest in the texture is seen.
 pub(super) fn push_forward<M: PlaneMap + ?Sized>(
     map: &M,
     texture: &Texture,
     options: &WarpOptions,
-    out: &mut [u8],
+    each: &mut dyn FnMut(&Strip),
 ) -> Result<()> {
     let mesh = source_mesh(map, &options.texture, &options.view);
     let [width, height] = texture.size().map(|n| n as f64);
@@ -31,5 +32,5 @@ pub(super) fn push_forward<M: PlaneMap + ?Sized>(
     };
     let corners: Vec<Corner> = mesh.vertices.iter().map(corner).collect();
     let mut raster = MeshRaster::new(&corners, &mesh.triangles, &options.view, Overlap::Lowest);
-    render(texture, options, &mut raster, out)
+    each_strip(options, &mut raster, each)
 }

@@ -1,4 +1,4 @@
-//! The one loop behind every warp: footprints of a strip, samples of the strip, next strip.
+//! The one loop behind every warp: footprints of a strip, what is done with the strip, next strip.
 
 use super::options::WarpOptions;
 use super::sampler;
@@ -11,37 +11,51 @@ use crate::{Error, Result};
 pub(super) trait Footprints {
     /// Writes the footprints of the strip's rows; what it leaves untouched shows nothing.
     fn fill(&mut self, strip: &mut Strip);
-
-    /// Changes the finished pixels of the strip: rows of 4 · width bytes.
-    fn finish(&mut self, _strip: &Strip, _out: &mut [u8]) {}
 }
 
-/// Draws the rows of the view that the options name into `out`.
+/// Fills the strips of the rows that the options name, and hands on each.
+pub(super) fn each_strip(
+    options: &WarpOptions,
+    footprints: &mut impl Footprints,
+    each: &mut dyn FnMut(&Strip),
+) -> Result<()> {
+    let rows = options.checked_rows()?;
+    let mut strip = Strip::new(options.view.pixels()[0], options.quality);
+    let mut first = rows.start;
+    while first < rows.end {
+        let end = rows.end.min((first / strip::ROWS + 1) * strip::ROWS);
+        strip.reset(first, end - first);
+        footprints.fill(&mut strip);
+        each(&strip);
+        first = end;
+    }
+    Ok(())
+}
+
+/// Draws the rows of the view that the options name into `out`, from strips.
 pub(super) fn render(
     texture: &Texture,
     options: &WarpOptions,
-    footprints: &mut impl Footprints,
     out: &mut [u8],
+    strips: impl FnOnce(&mut dyn FnMut(&Strip)) -> Result<()>,
 ) -> Result<()> {
-    let rows = options.checked_rows()?;
     let expected = options.output_len()?;
     if out.len() != expected {
         return Err(Error::WrongLength { what: "The output", expected: expected.to_string(), found: out.len() });
     }
-    let width = options.view.pixels()[0];
-    let mut strip = Strip::new(width, options.quality);
-    let mut first = rows.start;
-    let mut rest = out;
-    while first < rows.end {
-        let end = rows.end.min((first / strip::ROWS + 1) * strip::ROWS);
-        let (band, below) = rest.split_at_mut(4 * width * (end - first));
-        strip.reset(first, end - first);
-        footprints.fill(&mut strip);
-        sampler::sample(texture, options.quality, &strip, band);
-        footprints.finish(&strip, band);
-        (first, rest) = (end, below);
-    }
-    Ok(())
+    let (first, line) = (options.checked_rows()?.start, 4 * options.view.pixels()[0]);
+    strips(&mut |strip| {
+        let band = &mut out[line * (strip.first_row - first)..][..line * strip.rows];
+        sampler::sample(texture, options.quality, strip, band);
+        for &(row, column, share) in &strip.shares {
+            dim(&mut band[line * row + 4 * column + 3], share);
+        }
+    })
+}
+
+/// Multiplies an alpha by the share of the pixel that it holds for.
+pub(super) fn dim(alpha: &mut u8, share: f32) {
+    *alpha = (f32::from(*alpha) * share + 0.5) as u8;
 }
 
 /// The plane → texels of a texture stretched over its frame.

@@ -25,6 +25,8 @@ pub(super) struct Strip {
     pub level: Vec<f32>,
     /// ∂u/∂x, ∂v/∂x, ∂u/∂y, ∂v/∂y over the view's pixels; empty if the quality has no use for them.
     pub jacobian: [Vec<f32>; 4],
+    /// Pixels (row, column) of which only a share shows something, with that share.
+    pub shares: Vec<(usize, usize, f32)>,
 }
 
 impl Strip {
@@ -33,7 +35,17 @@ impl Strip {
         let plane = |wanted: bool| if wanted { vec![0.0; stride * ROWS] } else { Vec::new() };
         let jacobian = std::array::from_fn(|_| plane(quality == Quality::Best));
         let level = plane(matches!(quality, Quality::Trilinear | Quality::Best));
-        Self { first_row: 0, rows: 0, width, stride, u: plane(true), v: plane(true), level, jacobian }
+        Self {
+            first_row: 0,
+            rows: 0,
+            width,
+            stride,
+            u: plane(true),
+            v: plane(true),
+            level,
+            jacobian,
+            shares: Vec::new(),
+        }
     }
 
     /// Moves the strip to other rows, where no pixel shows anything yet.
@@ -41,6 +53,7 @@ impl Strip {
         self.first_row = first_row;
         self.rows = rows;
         self.u.fill(f32::NAN);
+        self.shares.clear();
     }
 
     /// Index of the first pixel of the strip's row `row`.

@@ -68,15 +68,40 @@ impl Texture {
             return Err(too_large);
         }
         texels.resize(total, [0; 4]);
-        let tables = light.tables();
-        for (row, bytes) in rgba.chunks_exact(4 * width).enumerate() {
-            let line = pyramid::row_mut(&mut texels, &levels[0], row);
+        let mut texture = Self { texels, levels, wrap, light };
+        texture.fill(rgba);
+        Ok(texture)
+    }
+
+    /// Shows another picture of the same size, in the same memory: a camera's next frame.
+    ///
+    /// # Errors
+    /// [`Error::WrongLength`] unless `rgba` has as many bytes as the first picture.
+    pub fn replace(&mut self, rgba: &[u8]) -> Result<()> {
+        let [width, height] = self.size();
+        if rgba.len() != 4 * width * height {
+            let expected = format!("4 x {width} x {height}");
+            return Err(Error::WrongLength { what: "The picture's RGBA bytes", expected, found: rgba.len() });
+        }
+        self.fill(rgba);
+        Ok(())
+    }
+
+    fn fill(&mut self, rgba: &[u8]) {
+        let tables = self.light.tables();
+        for (row, bytes) in rgba.chunks_exact(4 * self.levels[0].width).enumerate() {
+            let line = pyramid::row_mut(&mut self.texels, &self.levels[0], row);
             for (texel, pixel) in line.iter_mut().zip(bytes.as_chunks().0) {
                 *texel = premultiplied(*pixel, tables);
             }
         }
-        pyramid::build(&mut texels, &levels, wrap);
-        Ok(Self { texels, levels, wrap, light })
+        pyramid::build(&mut self.texels, &self.levels, self.wrap);
+    }
+
+    /// Bytes that its pyramid takes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.texels[..])
     }
 
     /// [columns, rows] of the picture.

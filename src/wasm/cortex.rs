@@ -5,6 +5,7 @@ use super::foveated::FoveatedTexture;
 use super::options::{self, FrameOptions, Point};
 use super::overlay::{self, OverlayOptions};
 use super::points;
+use super::prepared::{self, PreparedWarp};
 use super::riemann::RiemannMap;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
@@ -182,11 +183,33 @@ impl CorticalImage {
         warp::draw(Direction::PullBack, &options, |options| texture.inner().warp(&self.0, options))
     }
 
+    /// `warpFoveated` with all but the sampling done: for stacks of other pictures with the same frames. It is drawn by
+    /// the prepared warp's `warpFoveated`.
+    ///
+    /// Throws as `warp` does.
+    #[wasm_bindgen(js_name = prepareFoveated)]
+    pub fn prepare_foveated(
+        &self,
+        texture: &FoveatedTexture,
+        options: Ts<DrawOptions>,
+    ) -> Result<PreparedWarp, Failure> {
+        let (options, _) = options::read(&options)?.split(Direction::PullBack)?;
+        Ok(PreparedWarp::new(texture.inner().prepare(&self.0, &options)?))
+    }
+
     /// `warp`, onto a canvas.
     ///
     /// Throws as `warp` does, and what the context throws.
     pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
         warp::paint(&self.0, Direction::PullBack, context, texture, &options)
+    }
+
+    /// `warp` with all but the sampling done, for pictures that change. `out` is not used.
+    ///
+    /// Throws as `warp` does.
+    #[wasm_bindgen(js_name = prepareWarp)]
+    pub fn prepare_warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<PreparedWarp, Failure> {
+        prepared::prepare(&self.0, Direction::PullBack, texture, &options)
     }
 
     /// Cortex → picture, point by point `[x0, y0, x1, y1, …]`; NaN outside V1.

@@ -4,6 +4,7 @@ use super::error::Failure;
 use super::options::{self, Point};
 use super::overlay::{self, OverlayOptions};
 use super::points;
+use super::prepared::{self, PreparedWarp};
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
 use crate::map;
@@ -87,6 +88,14 @@ impl FormulaMap {
     /// Throws as `warp` does, and what the context throws.
     pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
         warp::paint(&self.0, Direction::PullBack, context, texture, &options)
+    }
+
+    /// `warp` with all but the sampling done, for pictures that change. `out` is not used.
+    ///
+    /// Throws as `warp` does.
+    #[wasm_bindgen(js_name = prepareWarp)]
+    pub fn prepare_warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<PreparedWarp, Failure> {
+        prepared::prepare(&self.0, Direction::PullBack, texture, &options)
     }
 
     /// The parameters and their present values.

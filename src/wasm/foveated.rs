@@ -24,6 +24,9 @@ pub struct FoveatedOptions {
     pub light: Light,
 }
 
+/// Pixels along each side of a level, unless asked otherwise.
+const SIDE: usize = 512;
+
 /// Full detail where an eye looks: crops of a picture around a point, each twice as wide as the one above it at the same
 /// number of pixels. Pixels are taken from the finest level that has them, without visible rings.
 #[derive(Debug)]
@@ -41,7 +44,7 @@ impl FoveatedTexture {
         options: Ts<FoveatedOptions>,
     ) -> Result<Self, Failure> {
         let FoveatedOptions { picture, fixation, side, light } = options::read(&options)?;
-        let (picture, side) = (picture.try_into()?, side.unwrap_or(512));
+        let (picture, side) = (picture.try_into()?, side.unwrap_or(SIDE));
         Ok(Self(warp::FoveatedTexture::around(rgba, &picture, fixation.into(), side, light)?))
     }
 
@@ -59,10 +62,26 @@ impl FoveatedTexture {
         Ok(())
     }
 
+    /// Where the crops of a picture lie, the widest first: for pictures that are too large to be held at once, of which each
+    /// crop is scaled to `side` pixels square elsewhere, and put together by `of` and `add`.
+    ///
+    /// Throws "invalid-option", "invalid-frame" or "not-finite".
+    pub fn crops(options: Ts<FoveatedOptions>) -> Result<Vec<Ts<FrameOptions>>, Failure> {
+        let FoveatedOptions { picture, fixation, side, .. } = options::read(&options)?;
+        let crops = warp::FoveatedTexture::crops(&picture.try_into()?, fixation.into(), side.unwrap_or(SIDE))?;
+        crops.into_iter().map(|crop| options::write(&FrameOptions::from(crop))).collect()
+    }
+
     /// Number of levels.
     #[wasm_bindgen(getter)]
     pub fn levels(&self) -> usize {
         self.0.levels().len()
+    }
+
+    /// Bytes that the levels take.
+    #[wasm_bindgen(getter)]
+    pub fn bytes(&self) -> usize {
+        self.0.bytes()
     }
 }
 

@@ -4,6 +4,7 @@ use super::error::Failure;
 use super::memory;
 use super::options::{self, FrameOptions};
 use super::points;
+use super::prepared::{self, PreparedWarp};
 use super::riemann::RiemannMap;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
@@ -173,6 +174,14 @@ impl JointTriangulation {
     /// [`warp`](JointTriangulation.warp) onto a canvas, whose pixel (0, 0) is the view's.
     pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
         warp::paint(&self.0, USUAL, context, texture, &options)
+    }
+
+    /// `warp` with all but the sampling done, for pictures that change. `out` is not used.
+    ///
+    /// Throws as `warp` does.
+    #[wasm_bindgen(js_name = prepareWarp)]
+    pub fn prepare_warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<PreparedWarp, Failure> {
+        prepared::prepare(&self.0, USUAL, texture, &options)
     }
 }
 

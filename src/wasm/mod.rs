@@ -3,7 +3,8 @@
 //! One file a class; its documentation is written for JavaScript, where it becomes the package's types and their help.
 //! What the classes share: [`error`] (an error → `Error` with a `code`), [`options`] (plain objects → Rust structs,
 //! with errors in words), [`points`] (`Float64Array` ↔ complex numbers), [`progress`] (the caller's `onProgress`),
-//! [`memory`] (room made at once), [`warp`] (the methods `warp` and `paint`), [`overlay`] (the method `overlay`).
+//! [`memory`] (room made at once), [`warp`] (the methods `warp` and `paint`), [`prepared`] (the method `prepareWarp`),
+//! [`overlay`] (the method `overlay`).
 
 pub mod cortex;
 pub mod error;
@@ -14,6 +15,7 @@ pub mod mesh;
 pub mod options;
 pub mod overlay;
 pub mod points;
+pub mod prepared;
 pub mod presets;
 pub mod progress;
 pub mod region;

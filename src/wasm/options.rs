@@ -10,7 +10,8 @@ use tsify::{Ts, Tsify, serde_wasm_bindgen};
 use wasm_bindgen::{JsCast, JsValue};
 
 /// A point of the plane.
-#[derive(Clone, Copy, Debug, Tsify)]
+#[derive(Clone, Copy, Debug, Serialize, Tsify)]
+#[serde(into = "[f64; 2]")]
 #[tsify(type = "[x: number, y: number]")]
 pub struct Point(#[tsify(type = "number")] Complex64);
 
@@ -18,6 +19,12 @@ impl<'de> Deserialize<'de> for Point {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         let [x, y] = two_numbers(from, "two numbers [x, y]")?;
         Ok(Self(Complex64::new(x, y)))
+    }
+}
+
+impl From<Point> for [f64; 2] {
+    fn from(Point(z): Point) -> Self {
+        [z.re, z.im]
     }
 }
 
@@ -30,7 +37,7 @@ impl From<Point> for Complex64 {
 /// Where a picture lies in the plane: the only place where pixels and the plane meet.
 ///
 /// Pixels are square, pixel centres lie at +0.5, rows count downwards while the plane's y points up.
-#[derive(Clone, Copy, Debug, Deserialize, Tsify)]
+#[derive(Clone, Copy, Debug, Deserialize, Serialize, Tsify)]
 #[serde(rename_all = "camelCase")]
 #[tsify(rename = "Frame")]
 pub struct FrameOptions {
@@ -43,7 +50,7 @@ pub struct FrameOptions {
 }
 
 /// Columns and rows of a picture.
-#[derive(Clone, Copy, Debug, Tsify)]
+#[derive(Clone, Copy, Debug, Serialize, Tsify)]
 #[tsify(type = "[columns: number, rows: number]")]
 pub struct PixelCounts(#[tsify(type = "number")] [usize; 2]);
 
@@ -63,6 +70,12 @@ impl TryFrom<FrameOptions> for Frame {
 
     fn try_from(FrameOptions { center, width, pixels }: FrameOptions) -> Result<Self, Self::Error> {
         Self::new(center.into(), width, pixels.0)
+    }
+}
+
+impl From<Frame> for FrameOptions {
+    fn from(frame: Frame) -> Self {
+        Self { center: Point(frame.center()), width: frame.width(), pixels: PixelCounts(frame.pixels()) }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::error::Failure;
 use super::points;
+use super::prepared::{self, PreparedWarp};
 use super::riemann::RiemannMap;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
@@ -54,5 +55,13 @@ impl RegionMap {
     /// Throws as `warp` does, and what the context throws.
     pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
         warp::paint(&self.0, Direction::PushForward, context, texture, &options)
+    }
+
+    /// `warp` with all but the sampling done, for pictures that change. `out` is not used.
+    ///
+    /// Throws as `warp` does.
+    #[wasm_bindgen(js_name = prepareWarp)]
+    pub fn prepare_warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<PreparedWarp, Failure> {
+        prepared::prepare(&self.0, Direction::PushForward, texture, &options)
     }
 }

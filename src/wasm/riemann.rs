@@ -4,6 +4,7 @@ use super::error::Failure;
 use super::memory;
 use super::options::{self, Point};
 use super::points;
+use super::prepared::{self, PreparedWarp};
 use super::progress::Progress;
 use super::region::Region;
 use super::texture::Texture;
@@ -127,6 +128,14 @@ impl RiemannMap {
     /// Throws as `warp` does, and what the context throws.
     pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
         warp::paint(&self.0, Direction::PushForward, context, texture, &options)
+    }
+
+    /// `warp` with all but the sampling done, for pictures that change. `out` is not used.
+    ///
+    /// Throws as `warp` does.
+    #[wasm_bindgen(js_name = prepareWarp)]
+    pub fn prepare_warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<PreparedWarp, Failure> {
+        prepared::prepare(&self.0, Direction::PushForward, texture, &options)
     }
 
     /// The angle of each boundary vertex on the circle, in [0, 2π), with `toward` at 0.

@@ -50,6 +50,16 @@ impl Texture {
         Self::new(&image.data(), image.width() as usize, image.height() as usize, options)
     }
 
+    /// Shows another picture of the same size, in the same memory: a camera's next frame.
+    ///
+    /// Throws "wrong-length".
+    pub fn replace(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Uint8Array | Uint8ClampedArray")] rgba: &[u8],
+    ) -> Result<(), Failure> {
+        Ok(self.0.replace(rgba)?)
+    }
+
     /// Columns and rows of the picture.
     #[wasm_bindgen(getter, unchecked_return_type = "[columns: number, rows: number]")]
     pub fn size(&self) -> Array {

@@ -41,7 +41,8 @@ pub struct DrawOptions {
 }
 
 impl DrawOptions {
-    fn split(self, usual: Direction) -> Result<(WarpOptions, Option<Uint8ClampedArray>), Failure> {
+    /// What the warp takes, and the bytes to fill.
+    pub(super) fn split(self, usual: Direction) -> Result<(WarpOptions, Option<Uint8ClampedArray>), Failure> {
         let options = WarpOptions {
             texture: self.texture.try_into()?,
             view: self.view.try_into()?,
@@ -107,9 +108,17 @@ pub fn paint(
         return Ok(());
     }
     let pixels = map.warp(texture.inner(), &options)?;
-    let [width, height] = [options.view.pixels()[0], rows.len()].map(|n| n as u32);
-    ImageData::new_with_u8_clamped_array_and_sh(Clamped(&pixels), width, height)
-        .and_then(|image| context.put_image_data(&image, 0.0, rows.start as f64))
+    put(context, &pixels, [options.view.pixels()[0], rows.len()], rows.start)
+}
+
+/// Puts pixels onto a canvas from its row `top`.
+///
+/// # Errors
+/// What the context throws.
+pub fn put(context: &PaintContext, pixels: &[u8], size: [usize; 2], top: usize) -> Result<(), Failure> {
+    let [width, height] = size.map(|n| n as u32);
+    ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), width, height)
+        .and_then(|image| context.put_image_data(&image, 0.0, top as f64))
         .map_err(Failure::thrown)
 }
 

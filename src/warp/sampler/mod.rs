@@ -21,14 +21,18 @@ const ROTATED_GRID: [[f32; 2]; 4] = {
     [[a, b], [-a, -b], [b, -a], [-b, a]]
 };
 
-/// One row of a strip.
+/// The footprints of pixels that lie beside each other: a row of a strip, or a part of one. Whole groups of four; the last ones
+/// may be none.
 #[derive(Clone, Copy)]
-struct Row<'a> {
-    u: &'a [f32],
-    v: &'a [f32],
-    level: &'a [f32],
-    jacobian: [&'a [f32]; 4],
+pub(super) struct Row<'a> {
+    pub u: &'a [f32],
+    pub v: &'a [f32],
+    pub level: &'a [f32],
+    pub jacobian: [&'a [f32]; 4],
 }
+
+/// Draws a row's pixels from a texture, as many as the bytes are for.
+pub(super) type Kernel = fn(&Texture, Row<'_>, &mut [u8]);
 
 impl<'a> Row<'a> {
     /// Row `row` of the strip; a quantity that the strip does not hold is empty.
@@ -42,11 +46,19 @@ impl<'a> Row<'a> {
 
 /// Draws every row of the strip: `out` holds `strip.rows` rows of 4 · `strip.width` bytes.
 pub(super) fn sample(texture: &Texture, quality: Quality, strip: &Strip, out: &mut [u8]) {
-    match texture.wrap() {
-        Wrap::Transparent => sample_wrapped::<Unchanged>(texture, quality, strip, out),
-        Wrap::Clamp => sample_wrapped::<Clamped>(texture, quality, strip, out),
-        Wrap::Repeat => sample_wrapped::<Repeated>(texture, quality, strip, out),
-        Wrap::Mirror => sample_wrapped::<Mirrored>(texture, quality, strip, out),
+    let draw = kernel(texture.wrap(), quality);
+    for (row, line) in out.chunks_exact_mut(4 * strip.width).enumerate() {
+        draw(texture, Row::of(strip, row), line);
+    }
+}
+
+/// What draws rows of such a texture.
+pub(super) fn kernel(wrap: Wrap, quality: Quality) -> Kernel {
+    match wrap {
+        Wrap::Transparent => kernel_of::<Unchanged>(quality),
+        Wrap::Clamp => kernel_of::<Clamped>(quality),
+        Wrap::Repeat => kernel_of::<Repeated>(quality),
+        Wrap::Mirror => kernel_of::<Mirrored>(quality),
     }
 }
 
@@ -56,15 +68,12 @@ use scalar as kernels;
 #[cfg(target_feature = "simd128")]
 use simd as kernels;
 
-fn sample_wrapped<W: Fold>(texture: &Texture, quality: Quality, strip: &Strip, out: &mut [u8]) {
-    let draw = match quality {
+fn kernel_of<W: Fold>(quality: Quality) -> Kernel {
+    match quality {
         Quality::Nearest => scalar::nearest::<W>,
         Quality::Bilinear => kernels::bilinear::<W>,
         Quality::Trilinear => kernels::trilinear::<W>,
         Quality::Best => kernels::best::<W>,
-    };
-    for (row, line) in out.chunks_exact_mut(4 * strip.width).enumerate() {
-        draw(texture, Row::of(strip, row), line);
     }
 }
 
@@ -190,7 +199,6 @@ mod tests {
     }
 
     fn compare<W: Fold>(texture: &Texture, random: &mut Random) {
-        type Kernel = fn(&Texture, Row<'_>, &mut [u8]);
         let twins: [(Quality, Kernel, Kernel); 3] = [
             (Quality::Bilinear, scalar::bilinear::<W>, simd::bilinear::<W>),
             (Quality::Trilinear, scalar::trilinear::<W>, simd::trilinear::<W>),
