@@ -48,6 +48,12 @@ fn round_trip(map: &RiemannMap, z: &[Complex64]) -> f64 {
     largest(back.iter().zip(z).map(|(a, b)| (a - b).norm())) / map.region().polygon().size()
 }
 
+/// The same through points that know their chart.
+fn trip(map: &RiemannMap, z: &[Complex64]) -> f64 {
+    let back = map.from_disk_points(&map.to_disk_points(z));
+    largest(back.iter().zip(z).map(|(a, b)| (a - b).norm())) / map.region().polygon().size()
+}
+
 #[test]
 fn round_trips_close_everywhere() {
     let mut regions: Vec<(&str, Region)> = EXACT_CASES.iter().map(|name| (*name, case(name).region())).collect();
@@ -67,10 +73,24 @@ fn round_trips_close_at_the_far_ends_of_long_regions() {
         let region = case(name).region();
         let map = solve(&region, 1e-10);
         let z = interior_points(&region, 100_000);
-        let back = map.from_disk_points(&map.to_disk_points(&z));
-        let error = largest(back.iter().zip(&z).map(|(a, b)| (a - b).norm())) / region.polygon().size();
+        let error = trip(&map, &z);
         assert!(map.charts() > 1 && error <= 1e-8, "{name}, {} charts: {error:e}", map.charts());
         assert!(map.to_disk(&z).iter().all(|w| w.norm() <= 1.0 + 1e-15));
+    }
+}
+
+/// An evaluator is as coarse as the solve: where charts and patches differ by the solve's error, no square is split in vain.
+#[test]
+fn loose_solves_have_small_evaluators_that_go_both_ways() {
+    for (name, tolerance) in [("slot", 1e-3), ("neck", 1e-3), ("rect20", 1e-3), ("blob100", 1e-2)] {
+        let region = case(name).region();
+        let map = solve(&region, tolerance);
+        map.prepare();
+        let megabytes = map.evaluator_bytes() as f64 / 1e6;
+        assert!(megabytes < 2.5, "{name}: {megabytes} MB");
+        // A chart is used where |f'| × size is at least 1/20: that is how much an error in the disk may grow.
+        let error = trip(&map, &interior_points(&region, 20_000));
+        assert!(error <= 20.0 * map.error_estimate(), "{name}: {error:e}, estimate {:e}", map.error_estimate());
     }
 }
 

@@ -175,9 +175,9 @@ impl RiemannMap {
         self.evaluator().charts()
     }
 
-    /// Builds the evaluator now instead of at its first use.
+    /// Builds the evaluator now, both ways, instead of at its first use each way.
     pub fn prepare(&self) {
-        self.evaluator();
+        self.evaluator().prepare();
     }
 
     fn evaluator(&self) -> &Evaluator {

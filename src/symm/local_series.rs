@@ -112,7 +112,7 @@ impl LocalSeries {
         while at < self.clusters.len() {
             let cluster = &self.clusters[at];
             let leaf = cluster.children.is_none();
-            let room = (center - cluster.center).norm() - radius;
+            let room = (center - cluster.center).norm_sqr().sqrt() - radius;
             let end = self.panels[cluster.panels.end - 1].end;
             if cluster.radius <= FAR * room {
                 let share = cluster.radius / room;
@@ -240,8 +240,8 @@ impl PanelSource {
 impl Sum<'_> {
     fn is_far(&self, panel: &PanelSource, part: Interval, share: f64) -> bool {
         let middle = panel.origin + panel.span * part.middle;
-        let half = panel.span.norm() * part.half;
-        half <= share * ((self.center - middle).norm() - self.radius)
+        let half = panel.span.norm_sqr().sqrt() * part.half;
+        half <= share * ((self.center - middle).norm_sqr().sqrt() - self.radius)
     }
 
     /// Adds the field of masses at the nodes of a part of a panel.

@@ -30,6 +30,12 @@ impl Chart {
         chart
     }
 
+    /// The point that goes to 0.
+    #[must_use]
+    pub fn center(&self) -> Complex64 {
+        self.solution.center
+    }
+
     /// Writes the coefficients of tᵏ of the map at `center` + `radius`·t.
     pub fn expand(&self, center: Complex64, radius: f64, coefficients: &mut [Complex64]) {
         let mut log = [Complex64::ZERO; MAX_COEFFICIENTS];

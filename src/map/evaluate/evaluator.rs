@@ -126,6 +126,13 @@ impl Evaluator {
         Some(solution.from_disk(w))
     }
 
+    /// Builds now what is otherwise built when it is first asked for.
+    pub fn prepare(&self) {
+        if let Self::Polygon { expansions, .. } = self {
+            expansions.prepare();
+        }
+    }
+
     /// Number of centers whose maps are linked.
     #[must_use]
     pub fn charts(&self) -> usize {

@@ -9,9 +9,11 @@
 //! charts of their own, linked by automorphisms of the disk.
 
 mod atlas;
+mod disk_builder;
 mod disk_side;
 mod evaluator;
 mod fit;
+mod inverse_cell;
 mod link;
 mod patch;
 mod power_series;
@@ -27,6 +29,7 @@ use disk_side::{DiskSide, Source};
 pub use evaluator::Evaluator;
 use region_side::RegionSide;
 use std::fmt;
+use std::sync::OnceLock;
 
 /// How accurate expansions should be.
 #[derive(Clone, Copy, Debug)]
@@ -39,11 +42,13 @@ pub struct Accuracy {
 
 /// Expansions err by at most this share of the solve.
 const SHARE_OF_ERROR: f64 = 0.03;
+/// And by no more than this, so that the loosest solve's map is still smooth and goes both ways.
+const LARGEST_ERROR: f64 = 1e-3;
 
 impl Accuracy {
     fn of(solution: &Solution) -> Self {
         Self {
-            tolerance: (SHARE_OF_ERROR * solution.error_estimate).clamp(1e-13, 1e-6),
+            tolerance: (SHARE_OF_ERROR * solution.error_estimate).clamp(1e-13, LARGEST_ERROR),
             solve_error: solution.error_estimate,
         }
     }
@@ -54,12 +59,12 @@ impl Accuracy {
 
     /// Degree of a patch's series, whose terms fall like 0.4ᵏ.
     fn patch_degree(self) -> usize {
-        (2.2 * self.digits()).ceil() as usize
+        (2.2 * self.digits()).ceil().max(LEAST_DEGREE) as usize
     }
 
     /// Most coefficients of a cell's polynomial.
     fn cell_terms(self) -> usize {
-        (6 + self.digits() as usize).clamp(10, 20)
+        (6 + self.digits() as usize).min(20)
     }
 
     /// How many coefficients are needed for a tolerance; `None` if there are too few.
@@ -97,6 +102,9 @@ impl Accuracy {
 
 /// Coefficients of an analytic function fall by more than this over a quarter of them.
 const FLAT: f64 = 0.3;
+
+/// Of a patch's series: as many terms as the first guess of its inverse has.
+const LEAST_DEGREE: f64 = 6.0;
 
 /// What a leaf of a tree says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -152,20 +160,33 @@ impl DiskPoint {
 pub struct Expansions {
     atlas: Atlas,
     region: RegionSide,
-    disks: Vec<DiskSide>,
+    /// One a chart, built when it is first asked.
+    disks: Vec<OnceLock<DiskSide>>,
+    accuracy: Accuracy,
 }
 
 impl Expansions {
-    /// Builds both ways.
+    /// Builds the way to the disk; the way back is built chart by chart, where it is first asked for.
     #[must_use]
     pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
         let boundary = &solution.discretisation().boundary;
         let accuracy = Accuracy::of(solution);
         let mut atlas = Atlas::new(solution, options);
-        let mut region = RegionSide::new(boundary, &mut atlas, accuracy);
-        let disks =
-            (0..atlas.charts.len()).map(|chart| DiskSide::new(&atlas, &mut region, chart, 1.0, accuracy)).collect();
-        Self { atlas, region, disks }
+        let region = RegionSide::new(boundary, &mut atlas, accuracy);
+        let disks = vec![OnceLock::new(); atlas.charts.len()];
+        Self { atlas, region, disks, accuracy }
+    }
+
+    /// Builds the way back for all charts.
+    pub fn prepare(&self) {
+        for chart in 0..self.disks.len() {
+            self.disk(chart);
+        }
+    }
+
+    #[inline]
+    fn disk(&self, chart: usize) -> &DiskSide {
+        self.disks[chart].get_or_init(|| DiskSide::new(&self.atlas, &self.region, chart, self.accuracy))
     }
 
     /// Region → disk; `None` outside the closed region.
@@ -198,14 +219,14 @@ impl Expansions {
     #[inline]
     #[must_use]
     pub fn to_region(&self, point: DiskPoint) -> Option<Complex64> {
-        self.follow(point, |disk, w| disk.at(&self.region, w)).map(|(z, _, _)| z)
+        self.follow(point, DiskSide::at).map(|(z, _, _)| z)
     }
 
     /// Disk → region, flat, with the derivative.
     #[inline]
     #[must_use]
     pub fn to_region_with_slope(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
-        let (z, slope, chart) = self.follow(DiskPoint::flat(w), |disk, w| disk.with_slope(&self.region, w))?;
+        let (z, slope, chart) = self.follow(DiskPoint::flat(w), DiskSide::with_slope)?;
         if chart == 0 {
             return Some((z, slope));
         }
@@ -223,7 +244,7 @@ impl Expansions {
             return None;
         }
         for _ in 0..=self.disks.len() {
-            match ask(&self.disks[chart], w) {
+            match ask(self.disk(chart), w) {
                 Source::Point(z, slope) => return Some((z, slope, chart)),
                 Source::Nowhere => return None,
                 Source::Chart(next) => {
@@ -245,7 +266,9 @@ impl Expansions {
     /// Bytes of memory, about.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.atlas.bytes() + self.region.bytes() + self.disks.iter().map(DiskSide::bytes).sum::<usize>()
+        self.atlas.bytes()
+            + self.region.bytes()
+            + self.disks.iter().filter_map(OnceLock::get).map(DiskSide::bytes).sum::<usize>()
     }
 }
 

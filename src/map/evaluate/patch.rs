@@ -2,7 +2,7 @@
 
 use super::atlas::{Chart, MAX_COEFFICIENTS};
 use super::fit::Fit;
-use super::power_series::{invert, real_value, real_value_and_slope, value};
+use super::power_series::{real_value, real_value_and_slope, revert, value};
 use super::zone::{Place, SHARE, Zone};
 use crate::plane::Complex64;
 use crate::symm::panel::Boundary;
@@ -18,11 +18,15 @@ pub struct Patch {
     pub zone: Zone,
     /// θ at the zone's middle.
     theta: f64,
+    /// Images of the zone are not farther from iθ than this, in log w.
+    farthest: f64,
     coefficients: Vec<f64>,
     /// First guess of the inverse.
     inverse: [f64; 6],
 }
 
+/// The image of the zone is no farther from its middle than this times what samples on the arc are.
+const SLACK: f64 = 1.1;
 /// Coefficients of the series that sample the map on the arc.
 const TERMS: usize = 24;
 
@@ -50,9 +54,11 @@ impl Patch {
             })
             .collect();
         let coefficients = fit.coefficients(&on_diameter, &on_arc);
-        let mut inverse = [0.0; 6];
-        invert(&coefficients, &mut inverse);
-        Self { chart: index, zone, theta, coefficients, inverse }
+        let first: [Complex64; 6] = std::array::from_fn(|k| coefficients[k].into());
+        let mut inverse = [Complex64::ZERO; 6];
+        revert(&first, &mut inverse);
+        let farthest = fit.arc.iter().map(|&tau| real_value(&coefficients, tau).norm_sqr()).fold(0.0, f64::max).sqrt();
+        Self { chart: index, zone, theta, farthest: SLACK * farthest, coefficients, inverse: inverse.map(|b| b.re) }
     }
 
     /// z → w; `None` outside the region.
@@ -78,13 +84,26 @@ impl Patch {
         Complex64::from_polar((-angle.im).exp(), self.theta + angle.re)
     }
 
+    /// −i log w − θ₀.
+    fn angle(&self, w: Complex64) -> Complex64 {
+        let turn = w.arg() - self.theta;
+        Complex64::new(turn - TAU * (turn / TAU).round(), -0.5 * w.norm_sqr().ln())
+    }
+
+    /// Whether w is certainly no image of the zone.
+    #[must_use]
+    pub fn misses(&self, w: Complex64) -> bool {
+        self.angle(w).norm_sqr() > self.farthest * self.farthest
+    }
+
     /// w → τ; points on the circle (and not more than rounding outside) give real τ.
     #[must_use]
     pub fn straightened(&self, w: Complex64) -> Complex64 {
-        let turn = w.arg() - self.theta;
-        let depth = -0.5 * w.norm_sqr().ln();
-        let on_circle = depth.abs() <= 2.0 * f64::EPSILON;
-        let angle = Complex64::new(turn - TAU * (turn / TAU).round(), if on_circle { 0.0 } else { depth });
+        let mut angle = self.angle(w);
+        let on_circle = angle.im.abs() <= 2.0 * f64::EPSILON;
+        if on_circle {
+            angle.im = 0.0;
+        }
         let mut guess = [Complex64::ZERO; 7];
         guess[1..].iter_mut().zip(self.inverse).for_each(|(g, c)| g.re = c);
         let mut tau = value(&guess, angle);
@@ -107,9 +126,9 @@ impl Patch {
         for _ in 0..MOST_STEPS {
             let (miss, slope) = real_value_and_slope(&self.coefficients, tau);
             let step = (miss - angle) / slope;
-            let size = step.norm();
+            let size = step.norm_sqr().sqrt();
             tau -= if size > LONGEST_STEP { step * (LONGEST_STEP / size) } else { step };
-            if size.is_nan() || size <= STEP * tau.norm() {
+            if size.is_nan() || size <= STEP * tau.norm_sqr().sqrt() {
                 break;
             }
         }

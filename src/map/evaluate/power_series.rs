@@ -1,5 +1,6 @@
 //! Truncated power series.
 
+use super::atlas::MAX_COEFFICIENTS;
 use crate::plane::Complex64;
 
 /// Σ cₖ tᵏ.
@@ -47,27 +48,25 @@ pub fn exp_without_constant(a: &[Complex64], result: &mut [Complex64]) {
     }
 }
 
-/// The inverse of y = Σ cₖ xᵏ⁺¹ near 0, as coefficients of y, y², …: as many as `inverse` holds.
-pub fn invert(c: &[f64], inverse: &mut [f64]) {
-    let n = inverse.len();
-    // Power j of the inverse is known up to order k before coefficient k is: c₁·b_k = −Σ_{j ≥ 2} cⱼ [yᵏ] b(y)ʲ.
-    inverse.fill(0.0);
-    inverse[0] = 1.0 / c[0];
+/// The inverse of y = Σ cₖ xᵏ⁺¹ near 0, as coefficients of y, y², …: as many as c has. By Lagrange's formula
+/// k·bₖ = [xᵏ⁻¹] (x/y)ᵏ.
+pub fn revert(c: &[Complex64], inverse: &mut [Complex64]) {
+    let n = c.len();
+    let scale = c[0].inv();
+    // h = x/y.
+    let mut h = [Complex64::ZERO; MAX_COEFFICIENTS];
+    h[0] = scale;
     for k in 1..n {
-        let mut power: Vec<f64> = inverse.to_vec();
-        let mut sum = 0.0;
-        for cj in c.iter().skip(1).take(k) {
-            // power ← power · inverse; both start at y¹, the product at y²: shift by one.
-            let mut next = vec![0.0; n];
-            for (i, p) in power.iter().enumerate() {
-                for (l, b) in inverse.iter().enumerate().take(n.saturating_sub(i + 1)) {
-                    next[i + l + 1] += p * b;
-                }
-            }
-            power = next;
-            sum += cj * power[k];
+        let sum: Complex64 = (1..=k).map(|j| c[j] * h[k - j]).sum();
+        h[k] = -sum * scale;
+    }
+    let mut power = h;
+    for k in 1..=n {
+        inverse[k - 1] = power[k - 1] / k as f64;
+        // Times h, from the highest coefficient down.
+        for l in (0..n).rev() {
+            power[l] = (0..=l).map(|j| power[j] * h[l - j]).sum();
         }
-        inverse[k] = -sum / c[0];
     }
 }
 
@@ -101,8 +100,22 @@ mod tests {
             assert!((e - if k < 2 { 1.0 } else { 0.0 }).norm() < 1e-15, "{k}: {e}");
         }
         // y = x/(1−x) has the inverse y/(1+y).
-        let mut inverse = [0.0; 6];
-        invert(&[1.0; 8], &mut inverse);
-        assert_eq!(inverse, [1.0, -1.0, 1.0, -1.0, 1.0, -1.0]);
+        let mut inverse = [Complex64::ZERO; 6];
+        revert(&[Complex64::ONE; 6], &mut inverse);
+        assert_eq!(inverse.map(|b| b.re), [1.0, -1.0, 1.0, -1.0, 1.0, -1.0]);
+        // y = 2i (e^x − 1) has the inverse log(1 − iy/2).
+        let mut factorial = 1.0;
+        let c: Vec<Complex64> = (1..20)
+            .map(|k| {
+                factorial *= f64::from(k);
+                Complex64::new(0.0, 2.0 / factorial)
+            })
+            .collect();
+        let mut inverse = [Complex64::ZERO; 19];
+        revert(&c, &mut inverse);
+        for (k, b) in (1..).zip(inverse) {
+            let exact = -Complex64::new(0.0, 0.5).powi(k) / f64::from(k);
+            assert!((b - exact).norm() < 1e-13 * exact.norm(), "{k}: {b} {exact}");
+        }
     }
 }

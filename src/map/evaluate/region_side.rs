@@ -85,7 +85,7 @@ impl Cells {
 #[derive(Clone, Debug)]
 pub struct Patches {
     boundary: Arc<Boundary>,
-    fit: Fit,
+    fit: Arc<Fit>,
     numbers: HashMap<(usize, usize), u32>,
     /// The patches.
     pub list: Vec<Patch>,
@@ -93,7 +93,25 @@ pub struct Patches {
 
 impl Patches {
     fn new(boundary: &Arc<Boundary>, degree: usize) -> Self {
-        Self { boundary: Arc::clone(boundary), fit: Fit::new(degree), numbers: HashMap::new(), list: Vec::new() }
+        Self {
+            boundary: Arc::clone(boundary),
+            fit: Arc::new(Fit::new(degree)),
+            numbers: HashMap::new(),
+            list: Vec::new(),
+        }
+    }
+
+    /// Those of one chart, to be added to.
+    #[must_use]
+    pub fn of_chart(&self, chart: usize) -> Self {
+        let mut own = Self { numbers: HashMap::new(), list: Vec::new(), ..self.clone() };
+        let mut zones: Vec<_> = self.numbers.iter().filter(|((of, _), _)| *of == chart).collect();
+        zones.sort_unstable();
+        for (key, &index) in zones {
+            own.numbers.insert(*key, own.list.len() as u32);
+            own.list.push(self.list[index as usize].clone());
+        }
+        own
     }
 
     /// The number of a chart's patch in one of its zones.
@@ -303,7 +321,10 @@ impl Builder {
         let radius = square.half * std::f64::consts::SQRT_2;
         let zone_of = |chart: usize| {
             let zones = &atlas.charts[chart].zones;
-            zones.covering(&self.boundary, nearest.edge, nearest.along, square.center, radius)
+            let zone = zones.covering(&self.boundary, nearest.edge, nearest.along, square.center, radius)?;
+            // A zone may reach across a thin wall, where the region goes on.
+            let own = zones.list[zone].edges(&self.boundary);
+            (!atlas.walls.intrudes(square.center, radius, walls, own)).then_some(zone)
         };
         let mut zone = zone_of(self.hint)?;
         let mut chart = self.hint;

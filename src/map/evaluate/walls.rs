@@ -84,10 +84,44 @@ impl Walls {
         squares.fold(f64::INFINITY, f64::min).sqrt()
     }
 
-    /// Distance of a point on `edge` from the other edges.
+    /// Radius of the sector around the boundary point `along` an edge, between the edges that meet there, which no other
+    /// wall enters. What lies behind these edges, as across a thin slot, does not matter to the map.
     #[must_use]
-    pub fn clear_distance(&self, z: Complex64, edge: usize) -> f64 {
-        (0..self.boundary.len()).filter(|&k| k != edge).map(|k| self.distance(z, k)).fold(f64::INFINITY, f64::min)
+    pub fn room(&self, edge: usize, along: f64) -> f64 {
+        let boundary = &self.boundary;
+        let length = boundary.lengths[edge];
+        let origin = boundary.vertices[edge] + boundary.directions[edge] * along;
+        let (before, room, alpha) = if along == 0.0 {
+            let before = boundary.previous(edge);
+            (before, length.min(boundary.lengths[before]), boundary.alpha[edge])
+        } else {
+            (edge, along.min(length - along), 1.0)
+        };
+        if along == 0.0 && boundary.clearances[edge] >= room {
+            return room;
+        }
+        let heights = |p: Complex64| [edge, before].map(|edge| ((p - origin) * boundary.directions[edge].conj()).im);
+        // Where the nearest point of a wall lies outside the sector, the wall enters it beyond the ends of the edges, if at all.
+        let seen = |p: Complex64| {
+            let [a, b] = heights(p);
+            if alpha > 1.0 { a.max(b) >= 0.0 } else { a.min(b) >= 0.0 }
+        };
+        let others = (0..boundary.len()).filter(|&k| k != edge && k != before);
+        let points = others.map(|k| self.nearest_of(origin, k)).filter(|p| seen(*p));
+        points.map(|p| (p - origin).norm_sqr()).fold(room * room, f64::min).sqrt()
+    }
+
+    /// The point of `edge` nearest to `z`.
+    fn nearest_of(&self, z: Complex64, edge: usize) -> Complex64 {
+        let along = self.local(z, edge).re.clamp(0.0, self.boundary.lengths[edge]);
+        self.boundary.vertices[edge] + self.boundary.directions[edge] * along
+    }
+
+    /// Whether another edge than `own` comes as near to `z` as `radius`.
+    #[must_use]
+    pub fn intrudes(&self, z: Complex64, radius: f64, among: &[u32], own: [usize; 2]) -> bool {
+        let mut others = among.iter().map(|&edge| edge as usize).filter(|edge| !own.contains(edge));
+        others.any(|edge| self.distance(z, edge) <= radius)
     }
 
     /// All edges.

@@ -120,6 +120,12 @@ impl Zone {
         self.origin + self.inward * Complex64::from_polar(size, angle)
     }
 
+    /// The edges that bound it.
+    #[must_use]
+    pub fn edges(&self, boundary: &Boundary) -> [usize; 2] {
+        [self.edge, if self.along == 0.0 { boundary.previous(self.edge) } else { self.edge }]
+    }
+
     /// Whether the disk around `center` lies within the reach.
     #[must_use]
     pub fn covers(&self, center: Complex64, radius: f64) -> bool {
@@ -151,14 +157,14 @@ pub struct Zones {
 }
 
 impl Zones {
-    /// Zones that cover the boundary. Nothing but the zone's own corner comes nearer than `reach`/SHARE^α to its origin:
-    /// no vertex, no other wall, not the center, where log f is singular.
+    /// Zones that cover the boundary. In the sector that the region has there, nothing comes nearer than `reach`/SHARE^α
+    /// to a zone's origin: no vertex, no other wall, not the center, where log f is singular.
     #[must_use]
     pub fn new(boundary: &Boundary, walls: &Walls, center: Complex64) -> Self {
         let n = boundary.len();
         let corners: Vec<Zone> = (0..n)
             .map(|k| {
-                let room = boundary.clearances[k].min((center - boundary.vertices[k]).norm());
+                let room = walls.room(k, 0.0).min((center - boundary.vertices[k]).norm());
                 Zone::new(boundary, k, 0.0, room)
             })
             .collect();
@@ -211,8 +217,7 @@ fn fill_edge(
     let middle = 0.5 * (begin + end);
     let length = boundary.lengths[edge];
     let origin = boundary.vertices[edge] + boundary.directions[edge] * middle;
-    let to_wall = walls.clear_distance(origin, edge);
-    let room = middle.min(length - middle).min((center - origin).norm()).min(to_wall);
+    let room = walls.room(edge, middle).min((center - origin).norm());
     let zone = Zone::new(boundary, edge, middle, room);
     if 0.5 * (end - begin) <= OVERLAP * zone.reach || end - begin < SMALLEST * length {
         list.push(zone);

@@ -1,0 +1,173 @@
+//! How the disk is cut into cells and arcs for the inverse of one chart's map.
+
+use super::atlas::Atlas;
+use super::inverse_cell::{Inverter, Pair};
+use super::patch::Patch;
+use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step};
+use super::region_side::{Cells, Patches, RegionSide};
+use super::{Accuracy, Leaf};
+use crate::plane::Complex64;
+use std::f64::consts::{SQRT_2, TAU};
+use std::rc::Rc;
+
+/// A cell's radius, as a share of the distance to the circle, at which its polynomial is tried.
+const SHARE_OF_CIRCLE: f64 = 0.6;
+/// Another chart takes over where it stretches by this much more; well beyond the middle between two centers.
+const TAKE_OVER: f64 = 40.0;
+/// More squares are not split; what is left is Newton's method on the nearest patch.
+const MAX_SQUARES: usize = 400_000;
+/// Squares whose center is nearer to 0 than this are never left to a patch.
+const NO_ARC_WITHIN: f64 = 0.5;
+
+/// The tree, the cells and the patches of the inverse of a chart's map.
+#[must_use]
+pub fn build(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accuracy) -> (Quadtree, Cells, Vec<Patch>) {
+    let mut tree = Quadtree::new(Complex64::ZERO, 1.01);
+    let seeds: Vec<Pair> = region
+        .cells
+        .centers()
+        .map(|(z, w, own)| (atlas.link(chart, own).apply(w), z))
+        .filter(|(w, _)| w.norm_sqr() < 1.0)
+        .collect();
+    let center = (Complex64::ZERO, atlas.charts[chart].center());
+    let mut builder = Builder {
+        atlas,
+        inverter: Inverter::new(atlas, region, chart, accuracy),
+        chart,
+        squares: 0,
+        cells: Cells::default(),
+        patches: region.patches.of_chart(chart),
+    };
+    tree.grow(tree.root(), (Rc::new(seeds), center), &mut |square, known| builder.decide(square, &known));
+    tree.finish();
+    (tree, builder.cells, builder.patches.list)
+}
+
+struct Builder<'a> {
+    atlas: &'a Atlas,
+    inverter: Inverter<'a>,
+    chart: usize,
+    squares: usize,
+    cells: Cells,
+    patches: Patches,
+}
+
+/// Pairs (w, z) near a square, and the one nearest to it.
+type Known = (Rc<Vec<Pair>>, Pair);
+
+/// Whether other charts serve a square better.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Taken {
+    Not,
+    /// A part of it.
+    Partly,
+    /// All of it, this one best.
+    Whole(usize),
+}
+
+impl Builder<'_> {
+    fn decide(&mut self, square: Square, known: &Known) -> Step<Known> {
+        let radius = square.half * SQRT_2;
+        let distance = square.center.norm();
+        self.squares += 1;
+        if distance - radius > 1.0 {
+            return Step::Leaf(Leaf::Outside.into());
+        }
+        match self.other_chart(square, radius) {
+            Taken::Whole(chart) => return Step::Leaf(Leaf::Other(chart as u32).into()),
+            Taken::Partly if square.level < MAX_LEVEL => return split(square, known),
+            _ => {}
+        }
+        if radius <= SHARE_OF_CIRCLE * (1.0 - distance) {
+            let seed = nearest_seed(&known.0, square.center).unwrap_or(known.1);
+            if let Some(cell) = self.inverter.cell(square.center, radius, seed) {
+                let index = self.cells.add(cell.center, cell.radius, self.chart, cell.coefficients());
+                return Step::Leaf(Leaf::Cell(index).into());
+            }
+        } else if distance > NO_ARC_WITHIN
+            && let Some(index) = self.arc(square)
+        {
+            return Step::Leaf(Leaf::Patch(index).into());
+        }
+        if square.level == MAX_LEVEL || self.squares > MAX_SQUARES {
+            return match self.candidates(square.center).first() {
+                Some(&zone) if distance > NO_ARC_WITHIN => {
+                    Step::Leaf(Leaf::Patch(self.patches.get(self.atlas, self.chart, zone)).into())
+                }
+                _ => Step::Leaf(Leaf::Outside.into()),
+            };
+        }
+        split(square, known)
+    }
+
+    /// Whether another chart should be asked for this square.
+    fn other_chart(&self, square: Square, radius: f64) -> Taken {
+        let center = square.center / square.center.norm().max(1.0);
+        let mut best = (TAKE_OVER, Taken::Not);
+        for to in (0..self.atlas.charts.len()).filter(|&to| to != self.chart) {
+            let (least, most) = self.atlas.link(to, self.chart).stretch_within(center, radius);
+            if least > best.0 {
+                best = (least, Taken::Whole(to));
+            } else if most > TAKE_OVER.max(4.0 * least) && best.1 == Taken::Not {
+                best.1 = Taken::Partly;
+            }
+        }
+        best.1
+    }
+
+    /// A patch whose zone holds all that the square shows of the region.
+    fn arc(&mut self, square: Square) -> Option<u32> {
+        let spot = |x: f64, y: f64| {
+            let w = square.center + Complex64::new(x, y) * square.half;
+            w / w.norm().max(1.0)
+        };
+        for zone in self.candidates(square.center) {
+            let index = self.patches.get(self.atlas, self.chart, zone);
+            let patch = &self.patches.list[index as usize];
+            if [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)].iter().any(|&(x, y)| patch.misses(spot(x, y))) {
+                continue;
+            }
+            let holds = |w: Complex64| {
+                let tau = patch.straightened(w);
+                tau.norm_sqr() <= 1.0 && tau.im >= 0.0 && patch.leads_to(tau, w)
+            };
+            let spots = [-1.0, -0.5, 0.0, 0.5, 1.0];
+            if spots.into_iter().all(|y| spots.into_iter().all(|x| holds(spot(x, y)))) {
+                return Some(index);
+            }
+        }
+        None
+    }
+
+    /// Zones near an angle on the circle, nearest first.
+    fn candidates(&self, w: Complex64) -> Vec<usize> {
+        let zones = &self.atlas.charts[self.chart].zones;
+        let measure = (w.arg() / TAU).rem_euclid(1.0);
+        let after = zones.measures.partition_point(|m| *m <= measure);
+        let count = zones.list.len();
+        let mut near: Vec<usize> = (0..4).map(|k| (after + count + k - 2) % count).collect();
+        let away = |zone: usize| {
+            let d = zones.measures[zone] - measure;
+            (d - d.round()).abs()
+        };
+        near.sort_by(|&a, &b| away(a).total_cmp(&away(b)));
+        near.dedup();
+        near
+    }
+}
+
+/// The quarters know the pairs near them, and the nearest even if it is far.
+fn split(square: Square, (seeds, start): &Known) -> Step<Known> {
+    let reach = 1.5 * square.half;
+    let near = |w: &Complex64| {
+        let d = w - square.center;
+        d.re.abs() <= reach && d.im.abs() <= reach
+    };
+    let kept: Vec<_> = seeds.iter().copied().filter(|(w, _)| near(w)).collect();
+    let closest = nearest_seed(&kept, square.center).unwrap_or(*start);
+    Step::Split((Rc::new(kept), closest))
+}
+
+fn nearest_seed(seeds: &[Pair], w: Complex64) -> Option<Pair> {
+    seeds.iter().copied().min_by(|a, b| (a.0 - w).norm_sqr().total_cmp(&(b.0 - w).norm_sqr()))
+}
