@@ -28,6 +28,12 @@ pub enum Error {
         /// A point near the meeting place.
         at: Complex64,
     },
+    /// Text that is no outline.
+    #[error("The outline cannot be read: {reason}. Give points as JSON, [[x, y], …], or the data of one SVG path.")]
+    InvalidOutline {
+        /// What is wrong with it.
+        reason: String,
+    },
     /// The center is not strictly inside the region.
     #[error("The center ({:.6}, {:.6}) must lie inside the region.", .center.re, .center.im)]
     CenterOutside {
@@ -176,6 +182,7 @@ impl Error {
             Self::TooFewVertices { .. } => "too-few-vertices",
             Self::NotFinite { .. } => "not-finite",
             Self::SelfIntersecting { .. } => "self-intersecting",
+            Self::InvalidOutline { .. } => "invalid-outline",
             Self::CenterOutside { .. } => "center-outside",
             Self::InvalidFrame { .. } => "invalid-frame",
             Self::InvalidOption { .. } => "invalid-option",

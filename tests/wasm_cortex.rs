@@ -2,9 +2,11 @@
 #![cfg(target_arch = "wasm32")]
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
-use conformal_warp::wasm::cortex::{CorticalModelOptions, GazeOptions, LandmarkOptions, RetinoCorticalMap};
+use conformal_warp::wasm::cortex::{
+    CorticalModelOptions, GazeOptions, LandmarkOptions, RecoverOptions, RetinoCorticalMap,
+};
 use conformal_warp::wasm::foveated::{FoveatedOptions, FoveatedTexture};
-use conformal_warp::wasm::region::{Region, RegionOptions};
+use conformal_warp::wasm::region::{OutlineOptions, Region, RegionOptions};
 use conformal_warp::wasm::riemann::{RiemannMap, RiemannOptions};
 use conformal_warp::wasm::texture::{Texture, TextureOptions};
 use conformal_warp::wasm::warp::DrawOptions;
@@ -90,6 +92,9 @@ fn an_outline_is_mapped_from_its_landmark() {
         let options = object::<LandmarkOptions>(&format!("direction: 0.1, hemisphere: '{hemisphere}'"));
         let map = RetinoCorticalMap::outline(&solved, options).unwrap();
         let found = map.to_cortex(&[side * 15.0, -1.5]).unwrap();
+        let missed = map.landmark_error().unwrap();
+        assert!(missed.get(0).as_f64().unwrap() < 1e-6 && missed.get(1).as_f64().unwrap() < 1e-6);
+        assert!((map.area() / 2253.0 - 1.0).abs() < 0.01 && map.boundary().len() == 180, "{} mm²", map.area());
         assert!((found[0] - side * place[0]).abs() < 1e-3 && (found[1] - place[1]).abs() < 1e-3, "{found:?} {place:?}");
         let back = map.to_field(&found).unwrap();
         assert!((back[0] - side * 15.0).abs() < 1e-6 && (back[1] + 1.5).abs() < 1e-6, "{back:?}");
@@ -97,4 +102,38 @@ fn an_outline_is_mapped_from_its_landmark() {
         let direction = (beyond[1] - found[1]).atan2(side * (beyond[0] - found[0]));
         assert!((direction - 0.1).abs() < 0.01, "the meridian runs at {direction}");
     }
+}
+
+#[wasm_bindgen_test]
+fn halves_recover_a_picture_together() {
+    let frame = "{ center: [0, 0], width: 2, pixels: [20, 20] }";
+    let texture = Texture::new(&[90, 120, 150, 255].repeat(400), 20, 20, None::<Ts<TextureOptions>>).unwrap();
+    let mut sum = None;
+    for hemisphere in ["left", "right"] {
+        let map = model(&format!("k: 15, a: 0.69, b: 80, hemisphere: '{hemisphere}'")).unwrap();
+        let gaze = object::<GazeOptions>(&format!("picture: {frame}, fieldOfView: 60, fixation: [0.3, 0]"));
+        let dots = map.frame(2.0).unwrap().js_value();
+        let options: js_sys::Object = js_sys::eval(&format!("({{ texture: {frame}, view: {frame} }})")).unwrap().into();
+        Reflect::set(&options, &"cortex".into(), &dots).unwrap();
+        if let Some(sum) = sum {
+            Reflect::set(&options, &"out".into(), &sum).unwrap();
+        }
+        let half =
+            map.seeing(gaze).unwrap().recover(&texture, Ts::<RecoverOptions>::new_unchecked(options.into())).unwrap();
+        sum = Some(JsValue::from(half));
+    }
+    let sum = js_sys::Uint8ClampedArray::from(sum.unwrap()).to_vec();
+    // At its edges, which the periphery sees, the picture fades.
+    let row: Vec<&[u8]> = (1..18).map(|x| &sum[4 * (10 * 20 + x)..][..4]).collect();
+    assert!(row.iter().all(|pixel| pixel[..3] == [90, 120, 150] && pixel[3] >= 253), "{row:?}");
+    assert!(model("k: 15, a: 0.69").unwrap().frame(f64::NAN).is_err());
+}
+
+#[wasm_bindgen_test]
+fn outlines_are_read_from_text() {
+    let read = |text: &str, fields: &str| Region::parse_outline(text, Some(object::<OutlineOptions>(fields)));
+    assert_eq!(read("[[0, 0], [1, 0], [0, 2]]", "scale: 2").unwrap(), [0.0, 0.0, 2.0, 0.0, 0.0, 4.0]);
+    assert_eq!(read("M0 0h1v-2z", "").unwrap(), [0.0, 0.0, 1.0, 0.0, 1.0, 2.0]);
+    let refused = JsValue::from(read("M0 0h", "tolerance: 0.1").unwrap_err());
+    assert_eq!(Reflect::get(&refused, &"code".into()).unwrap(), "invalid-outline");
 }

@@ -2,12 +2,14 @@
 
 mod edge_tree;
 mod frame;
+mod outline_text;
 mod polygon;
 mod region;
 mod smooth_curve;
 
 pub use frame::Frame;
 pub use num_complex::Complex64;
+pub use outline_text::parse_outline;
 pub use polygon::{BoundaryPoint, Polygon};
 pub use region::{Curve, Region};
 pub use smooth_curve::SmoothCurve;

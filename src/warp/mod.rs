@@ -25,6 +25,7 @@ mod pull_back;
 mod push_forward;
 mod pyramid;
 mod raster;
+pub mod recovery;
 mod refine;
 mod render;
 mod sampler;

@@ -12,8 +12,8 @@ use super::warp::{self, DrawOptions, PaintContext};
 use crate::map::cortex::{self, CorticalModel, FieldPoint, Gaze, Hemisphere, Landmark, VisualCortex};
 use crate::map::{InvertibleMap, Jet, PlaneMap};
 use crate::plane::Frame;
-use crate::warp::Direction;
-use js_sys::Uint8ClampedArray;
+use crate::warp::{Direction, Quality, WarpOptions, recovery};
+use js_sys::{Array, Uint8ClampedArray};
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -82,11 +82,34 @@ pub struct GazeOptions {
     pub fixation: Point,
 }
 
+/// A picture on the cortex at finite resolution, and where it is drawn back.
+#[derive(Debug, Deserialize, Tsify)]
+pub struct RecoverOptions {
+    /// Where the texture lies in the picture's plane.
+    pub texture: FrameOptions,
+    /// The cortical image's frame: `RetinoCorticalMap.frame` makes one of so many pixels a millimetre.
+    pub cortex: FrameOptions,
+    /// Which part of the picture's plane is drawn.
+    pub view: FrameOptions,
+    /// "trilinear" by default, there and back.
+    #[serde(default)]
+    #[tsify(optional)]
+    pub quality: Quality,
+    /// The other hemisphere's half, to which this one is added.
+    #[serde(default, deserialize_with = "options::object")]
+    #[tsify(optional, type = "Uint8ClampedArray")]
+    pub out: Option<Uint8ClampedArray>,
+}
+
 /// The map visual field → V1 of one hemisphere. Points of the field are E·e^{iθ} in degrees, `[x0, y0, x1, y1, …]` with x to
 /// the right and y up as the eye sees them; points of the cortex are in millimetres.
 #[derive(Debug)]
 #[wasm_bindgen]
-pub struct RetinoCorticalMap(VisualCortex);
+pub struct RetinoCorticalMap {
+    cortex: VisualCortex,
+    /// How far an outline's map misses its landmark.
+    landmark_error: Option<[f64; 2]>,
+}
 
 #[wasm_bindgen]
 impl RetinoCorticalMap {
@@ -95,7 +118,8 @@ impl RetinoCorticalMap {
     /// Throws "invalid-map" or "invalid-option".
     pub fn model(options: Ts<CorticalModelOptions>) -> Result<Self, Failure> {
         let options = options::read(&options)?;
-        Ok(Self(VisualCortex::from_model(options.model()?, options.hemisphere)))
+        let cortex = VisualCortex::from_model(options.model()?, options.hemisphere);
+        Ok(Self { cortex, landmark_error: None })
     }
 
     /// The map of an outline of V1, from the map that was solved for it: stereographic half disk → disk → outline.
@@ -107,7 +131,8 @@ impl RetinoCorticalMap {
         let cortex = map.inner().region().center();
         let landmark = Landmark { field: field.coordinate(), cortex, direction };
         let chain = cortex::RetinoCorticalMap::new(map.inner().clone(), landmark)?;
-        Ok(Self(VisualCortex::from_outline(chain, hemisphere)))
+        let landmark_error = Some(chain.landmark_error());
+        Ok(Self { cortex: VisualCortex::from_outline(chain, hemisphere), landmark_error })
     }
 
     /// The outline of V1 under a closed formula, a polygon of so many vertices in millimetres: a model, not a measurement.
@@ -123,19 +148,45 @@ impl RetinoCorticalMap {
     #[wasm_bindgen(js_name = toCortex)]
     pub fn to_cortex(&self, field: &[f64]) -> Result<Vec<f64>, Failure> {
         let field = points::from_flat("The points", field)?;
-        Ok(values(field.len(), |jets| self.0.jets(&field, jets)))
+        Ok(values(field.len(), |jets| self.cortex.jets(&field, jets)))
     }
 
     /// Cortex → visual field; NaN outside V1.
     #[wasm_bindgen(js_name = toField)]
     pub fn to_field(&self, cortex: &[f64]) -> Result<Vec<f64>, Failure> {
         let cortex = points::from_flat("The points", cortex)?;
-        Ok(values(cortex.len(), |jets| self.0.inverse_jets(&cortex, jets)))
+        Ok(values(cortex.len(), |jets| self.cortex.inverse_jets(&cortex, jets)))
     }
 
     /// Cortical magnification at points of the field, in mm per degree.
     pub fn magnification(&self, field: &[f64]) -> Result<Vec<f64>, Failure> {
-        Ok(self.0.magnification(&points::from_flat("The points", field)?))
+        Ok(self.cortex.magnification(&points::from_flat("The points", field)?))
+    }
+
+    /// The outline of the cortex as a polygon, counter-clockwise in millimetres.
+    #[wasm_bindgen(getter)]
+    pub fn boundary(&self) -> Vec<f64> {
+        points::to_flat(self.cortex.outline())
+    }
+
+    /// The area of the cortex, in mm².
+    #[wasm_bindgen(getter)]
+    pub fn area(&self) -> f64 {
+        self.cortex.area()
+    }
+
+    /// How far the map of an outline misses the correspondence asked for: the landmark's place in mm, and the meridian's
+    /// direction there in radians. Undefined for a formula, which has no landmark.
+    #[wasm_bindgen(getter, js_name = landmarkError, unchecked_return_type = "[distance: number, angle: number] | undefined")]
+    pub fn landmark_error(&self) -> Option<Array> {
+        self.landmark_error.map(|[distance, angle]| Array::of2(&distance.into(), &angle.into()))
+    }
+
+    /// The frame around the cortex with so many pixels a millimetre.
+    ///
+    /// Throws "invalid-option".
+    pub fn frame(&self, dots_per_millimetre: f64) -> Result<Ts<FrameOptions>, Failure> {
+        options::write(&FrameOptions::from(self.cortex.frame(dots_per_millimetre)?))
     }
 
     /// What this cortex sees of a picture.
@@ -144,7 +195,7 @@ impl RetinoCorticalMap {
     pub fn seeing(&self, gaze: Ts<GazeOptions>) -> Result<CorticalImage, Failure> {
         let GazeOptions { picture, field_of_view, fixation } = options::read(&gaze)?;
         let picture: Frame = picture.try_into()?;
-        Ok(CorticalImage(self.0.seeing(Gaze::new(&picture, field_of_view, fixation.into())?)))
+        Ok(CorticalImage(self.cortex.seeing(Gaze::new(&picture, field_of_view, fixation.into())?)))
     }
 
     /// Rings and rays of the visual field, or another drawing of the map cortex → field in degrees, over a view of the
@@ -152,7 +203,7 @@ impl RetinoCorticalMap {
     ///
     /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
     pub fn overlay(&self, options: Ts<OverlayOptions>) -> Result<Uint8ClampedArray, Failure> {
-        overlay::draw(&self.0.clone().inverted(), &options)
+        overlay::draw(&self.cortex.clone().inverted(), &options)
     }
 }
 
@@ -210,6 +261,23 @@ impl CorticalImage {
     #[wasm_bindgen(js_name = prepareWarp)]
     pub fn prepare_warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<PreparedWarp, Failure> {
         prepared::prepare(&self.0, Direction::PullBack, texture, &options)
+    }
+
+    /// The half of the picture that this cortex sees, as far as it can be recovered from the cortical image: that is kept on
+    /// the pixels of `options.cortex` and drawn back. RGBA bytes; added to `out`, if it was given: the other hemisphere's.
+    ///
+    /// Throws as `warp` does.
+    pub fn recover(&self, texture: &Texture, options: Ts<RecoverOptions>) -> Result<Uint8ClampedArray, Failure> {
+        let RecoverOptions { texture: frame, cortex, view, quality, out } = options::read(&options)?;
+        let options = WarpOptions { quality, ..WarpOptions::new(frame.try_into()?, view.try_into()?) };
+        let half = recovery::recover(&self.0, &cortex.try_into()?, texture.inner(), &options)?;
+        let Some(out) = out else {
+            return Ok(Uint8ClampedArray::from(&half[..]));
+        };
+        let mut sum = out.to_vec();
+        recovery::add(&mut sum, &half)?;
+        out.copy_from(&sum);
+        Ok(out)
     }
 
     /// Cortex → picture, point by point `[x0, y0, x1, y1, …]`; NaN outside V1.

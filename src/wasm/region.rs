@@ -26,6 +26,18 @@ pub struct RegionOptions {
     pub toward: Point,
 }
 
+/// How the text of an outline is to be understood.
+#[derive(Debug, Default, Deserialize, Tsify)]
+#[serde(default)]
+pub struct OutlineOptions {
+    /// Plane units per unit of the text, 1 by default.
+    #[tsify(optional)]
+    pub scale: Option<f64>,
+    /// How far an edge may leave the curve that it stands for, in plane units; 0.1 by default.
+    #[tsify(optional)]
+    pub tolerance: Option<f64>,
+}
+
 /// A region bounded by a simple closed curve, with a `center` inside it and a `toward` point on its boundary: what
 /// makes its Riemann map unique.
 #[derive(Debug)]
@@ -42,6 +54,17 @@ impl Region {
         let RegionOptions { boundary, curve, center, toward } = options::read(&options)?;
         let boundary = points::from_flat("The boundary", &boundary)?;
         Ok(Self(plane::Region::new(&boundary, curve, center.into(), toward.into())?))
+    }
+
+    /// Text → boundary points `[x0, y0, x1, y1, …]`: JSON, `[[x, y], …]`, or the data of an SVG path (the attribute `d`), which is
+    /// turned over, since its y counts downwards.
+    ///
+    /// Throws "invalid-outline" or "invalid-option".
+    #[wasm_bindgen(js_name = parseOutline)]
+    pub fn parse_outline(text: &str, options: Option<Ts<OutlineOptions>>) -> Result<Vec<f64>, Failure> {
+        let OutlineOptions { scale, tolerance } = options::read_or_default(options.as_ref())?;
+        let vertices = plane::parse_outline(text, scale.unwrap_or(1.0), tolerance.unwrap_or(0.1))?;
+        Ok(points::to_flat(&vertices))
     }
 
     /// The boundary points `[x0, y0, x1, y1, …]`, counter-clockwise.

@@ -215,7 +215,8 @@ impl InvertibleMap for CorticalModel {
     }
 }
 
-fn twice_area(polygon: &[Complex64]) -> f64 {
+/// Twice the area of a polygon, positive if it is counter-clockwise.
+pub(super) fn twice_area(polygon: &[Complex64]) -> f64 {
     let next = polygon.iter().cycle().skip(1);
     polygon.iter().zip(next).map(|(a, b)| a.re * b.im - a.im * b.re).sum()
 }

@@ -55,6 +55,18 @@ impl<M: PlaneMap> RetinoCorticalMap<M> {
         self.landmark
     }
 
+    /// How far the map misses the correspondence asked for: where the landmark lies, in the outline's units, and the direction
+    /// of the meridian there, in radians. Nothing but rounding and the error of the outline's map.
+    #[must_use]
+    pub fn landmark_error(&self) -> [f64; 2]
+    where
+        M: InvertibleMap,
+    {
+        let Landmark { field, cortex, direction } = self.landmark;
+        let found = self.jet(field);
+        [(found.value - cortex).norm(), (found.dz * Complex64::cis(-direction)).arg().abs()]
+    }
+
     /// The half disk's map: field coordinate → disk.
     #[must_use]
     pub fn half_disk(&self) -> &HalfDiskMap {
@@ -130,6 +142,7 @@ mod tests {
             let found = map.jet(field);
             assert!((found.value - cortex).norm() < 1e-12);
             assert!((found.dz * Complex64::cis(-direction)).arg().abs() < 1e-12);
+            assert!(map.landmark_error().iter().all(|&error| error < 1e-12));
         }
     }
 

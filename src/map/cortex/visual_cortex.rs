@@ -1,8 +1,10 @@
 //! V1 of one hemisphere, whichever way its map was made.
 
+use super::model::twice_area;
 use super::{CorticalModel, Degrees, Gaze, Mirrored, RetinoCorticalMap};
-use crate::map::{Compose, Inverse, InvertibleMap, Jet, PlaneMap};
-use crate::plane::Complex64;
+use crate::map::{Compose, Inverse, InvertibleMap, Jet, PlaneMap, RiemannMap};
+use crate::plane::{Complex64, Frame};
+use crate::{Error, Result};
 use std::fmt;
 use std::rc::Rc;
 
@@ -22,7 +24,12 @@ pub enum Hemisphere {
 pub struct VisualCortex {
     map: Rc<dyn InvertibleMap>,
     hemisphere: Hemisphere,
+    /// Counter-clockwise, in millimetres.
+    outline: Rc<[Complex64]>,
 }
+
+/// Vertices of a model's outline.
+const MODEL_VERTICES: usize = 720;
 
 /// Cortex → picture: what each point of the cortex sees. A warp that pulls back by it draws the cortical image.
 pub type CorticalImage = Compose<Inverse<Gaze>, Compose<Inverse<Degrees>, Inverse<VisualCortex>>>;
@@ -31,21 +38,53 @@ impl VisualCortex {
     /// By a closed formula.
     #[must_use]
     pub fn from_model(model: CorticalModel, hemisphere: Hemisphere) -> Self {
-        Self::of_left(model, hemisphere)
+        Self::of_left(model, model.outline(MODEL_VERTICES), hemisphere)
     }
 
     /// By the conformal map of an outline, which is that of a left hemisphere.
     #[must_use]
-    pub fn from_outline<M: InvertibleMap + 'static>(map: RetinoCorticalMap<M>, hemisphere: Hemisphere) -> Self {
-        Self::of_left(Compose { outer: map, inner: Degrees.inverted() }, hemisphere)
+    pub fn from_outline(map: RetinoCorticalMap<RiemannMap>, hemisphere: Hemisphere) -> Self {
+        let outline = map.outline().region().polygon().vertices().to_vec();
+        Self::of_left(Compose { outer: map, inner: Degrees.inverted() }, outline, hemisphere)
     }
 
-    fn of_left(map: impl InvertibleMap + 'static, hemisphere: Hemisphere) -> Self {
-        let map: Rc<dyn InvertibleMap> = match hemisphere {
-            Hemisphere::Left => Rc::new(map),
-            Hemisphere::Right => Rc::new(Mirrored(map)),
+    fn of_left(map: impl InvertibleMap + 'static, outline: Vec<Complex64>, hemisphere: Hemisphere) -> Self {
+        match hemisphere {
+            Hemisphere::Left => Self { map: Rc::new(map), hemisphere, outline: outline.into() },
+            Hemisphere::Right => {
+                let outline = outline.iter().rev().map(|w| Complex64::new(-w.re, w.im)).collect();
+                Self { map: Rc::new(Mirrored(map)), hemisphere, outline }
+            }
+        }
+    }
+
+    /// The outline of the cortex as a polygon, counter-clockwise in millimetres.
+    #[must_use]
+    pub fn outline(&self) -> &[Complex64] {
+        &self.outline
+    }
+
+    /// The area of the cortex, in mm².
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        0.5 * twice_area(&self.outline)
+    }
+
+    /// The frame around the cortex with so many pixels a millimetre.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`](crate::Error::InvalidOption) unless that is positive and makes 8192 pixels a side at most.
+    pub fn frame(&self, dots_per_millimetre: f64) -> Result<Frame> {
+        let corner = |least: fn(f64, f64) -> f64| {
+            self.outline.iter().copied().reduce(|a, b| Complex64::new(least(a.re, b.re), least(a.im, b.im)))
         };
-        Self { map, hemisphere }
+        let (low, high) = (corner(f64::min).unwrap_or_default(), corner(f64::max).unwrap_or_default());
+        let dots = [high.re - low.re, high.im - low.im].map(|length| (length * dots_per_millimetre).ceil());
+        if !dots.iter().all(|dots| (1.0..=8192.0).contains(dots)) {
+            let expected = "positive, and such that the cortex has 8192 pixels a side at most";
+            return Err(Error::InvalidOption { name: "dotsPerMillimetre", expected, value: dots_per_millimetre });
+        }
+        Frame::new(0.5 * (low + high), dots[0] / dots_per_millimetre, dots.map(|dots| dots as usize))
     }
 
     /// Which half of the brain it is.
@@ -96,7 +135,6 @@ impl InvertibleMap for VisualCortex {
 mod tests {
     use super::*;
     use crate::map::cortex::FieldPoint;
-    use crate::plane::Frame;
 
     fn values(map: &impl PlaneMap, points: &[Complex64]) -> Vec<Complex64> {
         let mut jets = vec![Jet::UNDEFINED; points.len()];
