@@ -1,7 +1,9 @@
 //! Region → region, through the disk.
 
-use super::{Compose, Inverse, InvertibleMap, Jet, PlaneMap, RiemannMap};
-use crate::plane::Complex64;
+use super::evaluate::Passage;
+use super::{Inverse, InvertibleMap, Jet, PlaneMap, RiemannMap, pointwise};
+use crate::plane::{BoundaryPoint, Complex64};
+use std::sync::{Arc, OnceLock};
 
 /// The conformal map region a → region b that takes center to center and `toward` to `toward`: b's Riemann map undone after
 /// a's.
@@ -24,13 +26,15 @@ use crate::plane::Complex64;
 pub struct RegionMap {
     a: RiemannMap,
     b: RiemannMap,
+    /// Disk of a → disk of b, and back; worked out on first use.
+    passages: Arc<OnceLock<[Passage; 2]>>,
 }
 
 impl RegionMap {
     /// The map from a's region to b's. Both keep what they have built; nothing is solved.
     #[must_use]
     pub fn between(a: &RiemannMap, b: &RiemannMap) -> Self {
-        Self { a: a.clone(), b: b.clone() }
+        Self { a: a.clone(), b: b.clone(), passages: Arc::default() }
     }
 
     /// The map of the region it comes from.
@@ -45,19 +49,23 @@ impl RegionMap {
         &self.b
     }
 
-    /// Region a → region b. NaN outside the closed region a.
+    /// Region a → region b. NaN outside the closed region a; boundary points go to the boundary.
     ///
-    /// What one region crowds into an arc of the circle that double precision cannot resolve has no certain place in the
-    /// other (see [`RiemannMap::from_disk`]).
+    /// The far ends of long regions do not get lost between: their points are carried from chart to chart
+    /// ([`RiemannMap::to_disk_points`]) and never become numbers that crowd together on one circle. What remains is the
+    /// nature of the map: where a far end of b belongs to a spot of a that is smaller than the distance of neighbouring
+    /// numbers, or than the error of the solves, no point of a can be told from the next there. Two far ends correspond
+    /// as exactly as their directions from the centers are known: exactly if `toward` lies in them or if a and b are one
+    /// map, else to the error of the solves.
     #[must_use]
     pub fn forward(&self, points: &[Complex64]) -> Vec<Complex64> {
-        self.b.from_disk(&self.a.to_disk(points))
+        self.way().values(points)
     }
 
-    /// Region b → region a. NaN outside the closed region b.
+    /// Region b → region a. NaN outside the closed region b. As [`RegionMap::forward`] in everything else.
     #[must_use]
     pub fn inverse(&self, points: &[Complex64]) -> Vec<Complex64> {
-        self.a.from_disk(&self.b.to_disk(points))
+        self.way_back().values(points)
     }
 
     /// The derivative of [`RegionMap::forward`].
@@ -67,12 +75,74 @@ impl RegionMap {
         self.jets(points, &mut jets);
         jets.iter().map(|jet| jet.dz).collect()
     }
+
+    /// Boundary of region a → boundary of region b.
+    #[must_use]
+    pub fn boundary_forward(&self, point: BoundaryPoint) -> BoundaryPoint {
+        self.way().boundary_point(point)
+    }
+
+    /// Boundary of region b → boundary of region a.
+    #[must_use]
+    pub fn boundary_inverse(&self, point: BoundaryPoint) -> BoundaryPoint {
+        self.way_back().boundary_point(point)
+    }
+
+    fn way(&self) -> Way<'_> {
+        Way { from: &self.a, to: &self.b, passage: &self.passages()[0] }
+    }
+
+    fn way_back(&self) -> Way<'_> {
+        Way { from: &self.b, to: &self.a, passage: &self.passages()[1] }
+    }
+
+    fn passages(&self) -> &[Passage; 2] {
+        self.passages.get_or_init(|| {
+            let (a, b) = (self.a.compass(), self.b.compass());
+            [Passage::new(&a, &b), Passage::new(&b, &a)]
+        })
+    }
+}
+
+/// One of the two directions.
+struct Way<'a> {
+    from: &'a RiemannMap,
+    to: &'a RiemannMap,
+    passage: &'a Passage,
+}
+
+impl Way<'_> {
+    fn values(&self, points: &[Complex64]) -> Vec<Complex64> {
+        let (from, to) = (self.from.evaluator(), self.to.evaluator());
+        let image = |&z| to.to_region(self.passage.carry(from.to_disk(z)?).0);
+        points.iter().map(|z| image(z).unwrap_or(Complex64::new(f64::NAN, f64::NAN))).collect()
+    }
+
+    fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
+        let (from, to) = (self.from.evaluator(), self.to.evaluator());
+        pointwise(points, jets, |z| {
+            let (point, slope) = from.to_disk_with_slope(z)?;
+            let (point, carried) = self.passage.carry(point);
+            let (image, back) = to.to_region_with_slope(point)?;
+            Some(Jet::analytic(image, slope * carried * back))
+        });
+    }
+
+    fn boundary_point(&self, point: BoundaryPoint) -> BoundaryPoint {
+        let (from, to) = (self.from.evaluator(), self.to.evaluator());
+        let image = from.to_disk(point.point).and_then(|p| to.to_region(self.passage.carry(p.onto_circle()).0));
+        match image {
+            Some(image) => self.to.region().nearest(image),
+            // Rounding put the point outside the region.
+            None => self.to.boundary_point(self.from.boundary_angle(point)),
+        }
+    }
 }
 
 /// Region a → region b.
 impl PlaneMap for RegionMap {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        Compose { outer: Inverse(&self.b), inner: &self.a }.jets(points, jets);
+        self.way().jets(points, jets);
     }
 
     fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
@@ -82,6 +152,6 @@ impl PlaneMap for RegionMap {
 
 impl InvertibleMap for RegionMap {
     fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        Compose { outer: Inverse(&self.a), inner: &self.b }.jets(points, jets);
+        self.way_back().jets(points, jets);
     }
 }

@@ -1,7 +1,7 @@
 //! The Riemann map of a region, by Symm's method.
 
 pub use super::evaluate::DiskPoint;
-use super::evaluate::Evaluator;
+use super::evaluate::{Compass, Evaluator};
 use super::solved::Solved;
 use super::{Inverse, InvertibleMap, Jet, PlaneMap};
 use crate::Result;
@@ -146,7 +146,8 @@ impl RiemannMap {
     #[must_use]
     pub fn derivative(&self, points: &[Complex64]) -> Vec<Complex64> {
         let (evaluator, turn) = (self.evaluator(), self.turn());
-        points.iter().map(|&z| evaluator.to_disk_with_slope(z).map_or(NOWHERE, |(_, slope)| turn * slope)).collect()
+        let slope = |(point, slope): (DiskPoint, Complex64)| turn * slope * evaluator.flat_slope(point);
+        points.iter().map(|&z| evaluator.to_disk_with_slope(z).map_or(NOWHERE, slope)).collect()
     }
 
     /// Region → disk, as points that keep their places apart also where numbers cannot.
@@ -180,8 +181,13 @@ impl RiemannMap {
         self.evaluator().prepare();
     }
 
-    fn evaluator(&self) -> &Evaluator {
+    pub(super) fn evaluator(&self) -> &Evaluator {
         self.evaluator.get_or_init(|| Evaluator::new(&self.region, &self.solution, &self.options))
+    }
+
+    /// Where the evaluator's charts lie with respect to `toward`.
+    pub(super) fn compass(&self) -> Compass<'_> {
+        self.evaluator().compass(self.region.toward().point, self.toward_measure)
     }
 
     /// The rotation that puts `toward` at 1.
@@ -236,7 +242,9 @@ impl PlaneMap for RiemannMap {
         let (evaluator, turn) = (self.evaluator(), self.turn());
         for (&z, jet) in points.iter().zip(jets) {
             let found = evaluator.to_disk_with_slope(z);
-            *jet = found.map_or(Jet::UNDEFINED, |(w, slope)| Jet::analytic(turn * w, turn * slope));
+            *jet = found.map_or(Jet::UNDEFINED, |(point, slope)| {
+                Jet::analytic(turn * evaluator.flat(point), turn * slope * evaluator.flat_slope(point))
+            });
         }
     }
 
@@ -250,7 +258,7 @@ impl InvertibleMap for RiemannMap {
     fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         let (evaluator, turn) = (self.evaluator(), self.turn().conj());
         for (w, jet) in points.iter().zip(jets) {
-            let found = evaluator.to_region_with_slope(turn * w);
+            let found = evaluator.to_region_with_slope(DiskPoint::flat(turn * w));
             *jet = found.map_or(Jet::UNDEFINED, |(z, slope)| Jet::analytic(z, turn * slope));
         }
     }

@@ -1,5 +1,6 @@
 //! The maps of one region for several centers, and how they are linked.
 
+use super::frame::Frame;
 use super::link::Link;
 use super::power_series::exp_without_constant;
 use super::walls::Walls;
@@ -79,6 +80,8 @@ pub struct Atlas {
     pub charts: Vec<Chart>,
     /// `links[i][j]`: chart j → chart i.
     links: Vec<Vec<Link>>,
+    /// Chart i → chart 0, in polar form.
+    pub frames: Vec<Frame>,
     /// The boundary, asked for distances.
     pub walls: Walls,
     options: SolveOptions,
@@ -95,7 +98,7 @@ impl Atlas {
     pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
         let walls = Walls::new(&solution.discretisation().boundary);
         let charts = vec![Chart::new(solution, &walls)];
-        Self { charts, links: vec![vec![Link::IDENTITY]], walls, options: options.clone() }
+        Self { charts, links: vec![vec![Link::IDENTITY]], frames: vec![Frame::FIRST], walls, options: options.clone() }
     }
 
     /// Chart `from` → chart `to`.
@@ -127,6 +130,7 @@ impl Atlas {
         }
         row.push(Link::IDENTITY);
         self.links.push(row);
+        self.frames.push(self.frames[parent].next(there[0], back[0]));
         self.charts.push(chart);
         true
     }

@@ -1,7 +1,8 @@
 //! Either kind of region's map, both ways, in plane units.
 
 use super::super::solved::Solved;
-use super::{BEYOND_CIRCLE, DiskPoint, Expansions};
+use super::frame::Frame;
+use super::{BEYOND_CIRCLE, Compass, DiskPoint, Expansions};
 use crate::plane::{Complex64, Region};
 use crate::symm::smooth::SmoothSolution;
 use crate::symm::solve::SolveOptions;
@@ -29,6 +30,8 @@ pub enum Evaluator {
 /// In units of the disk, or of the region's size: nearer to the boundary than this is on it.
 const ON_BOUNDARY: f64 = 4.0 * f64::EPSILON;
 
+static ONE_FRAME: [Frame; 1] = [Frame::FIRST];
+
 impl Evaluator {
     /// Builds what the kind of region needs.
     #[must_use]
@@ -50,18 +53,18 @@ impl Evaluator {
     pub fn to_disk(&self, z: Complex64) -> Option<DiskPoint> {
         match self {
             Self::Polygon { expansions, unit } => expansions.to_disk(z * unit),
-            Self::Smooth { .. } => self.to_disk_with_slope(z).map(|(w, _)| DiskPoint::flat(w)),
+            Self::Smooth { .. } => self.to_disk_with_slope(z).map(|(point, _)| point),
         }
     }
 
-    /// Region → disk, flat, with the derivative.
+    /// Region → disk, with the derivative in the point's chart.
     #[inline]
     #[must_use]
-    pub fn to_disk_with_slope(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+    pub fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
         match self {
             Self::Polygon { expansions, unit } => {
-                let (w, slope) = expansions.to_disk_with_slope(z * unit)?;
-                Some((w, slope * unit))
+                let (point, slope) = expansions.to_disk_with_slope(z * unit)?;
+                Some((point, slope * unit))
             }
             Self::Smooth { region, solution } => {
                 if !region.contains(z) {
@@ -70,10 +73,10 @@ impl Evaluator {
                 let (w, slope) = solution.to_disk(z);
                 let nearest = region.nearest(z);
                 if (nearest.point - z).norm() > ON_BOUNDARY * region.polygon().size() {
-                    return Some((w, slope));
+                    return Some((DiskPoint::flat(w), slope));
                 }
                 let measure = solution.measure(solution.curve().parameter(nearest));
-                Some((Complex64::cis(TAU * measure), slope))
+                Some((DiskPoint::flat(Complex64::cis(TAU * measure)), slope))
             }
         }
     }
@@ -88,6 +91,31 @@ impl Evaluator {
         }
     }
 
+    /// The derivative of [`Evaluator::flat`].
+    #[inline]
+    #[must_use]
+    pub fn flat_slope(&self, point: DiskPoint) -> Complex64 {
+        match self {
+            Self::Polygon { expansions, .. } => expansions.flat_slope(point),
+            Self::Smooth { .. } => Complex64::ONE,
+        }
+    }
+
+    /// Where the charts lie, `toward` being a point of the boundary that goes to 1 when the disk is turned by
+    /// −`toward_measure`.
+    #[must_use]
+    pub fn compass(&self, toward: Complex64, toward_measure: f64) -> Compass<'_> {
+        let frames = match self {
+            Self::Polygon { expansions, .. } => expansions.frames(),
+            Self::Smooth { .. } => &ONE_FRAME,
+        };
+        let flat = Frame::FIRST.direction_of(TAU * toward_measure);
+        // Its own chart knows best where a far one is.
+        let seen = |point: DiskPoint| frames[point.chart].direction_of(point.w.arg());
+        let known = self.to_disk(toward).filter(|point| point.chart != 0);
+        Compass { frames, toward: known.map_or(flat, seen) }
+    }
+
     /// Disk → region; `None` outside the closed disk.
     #[inline]
     #[must_use]
@@ -98,17 +126,17 @@ impl Evaluator {
         }
     }
 
-    /// Disk → region, flat, with the derivative.
+    /// Disk → region, with the derivative by the point's number in its chart.
     #[inline]
     #[must_use]
-    pub fn to_region_with_slope(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+    pub fn to_region_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)> {
         match self {
             Self::Polygon { expansions, unit } => {
-                let (z, slope) = expansions.to_region_with_slope(w)?;
+                let (z, slope) = expansions.to_region_with_slope(point)?;
                 Some((z / unit, slope / unit))
             }
             Self::Smooth { solution, .. } => {
-                let z = self.smooth_from_disk(w)?;
+                let z = self.smooth_from_disk(point.w)?;
                 Some((z, solution.to_disk(z).1.inv()))
             }
         }

@@ -21,6 +21,18 @@ impl Link {
         Self { a, b: -a * p }
     }
 
+    /// w → (a w + b)/(b̄ w + ā).
+    #[must_use]
+    pub fn from_matrix(a: Complex64, b: Complex64) -> Self {
+        Self { a, b }
+    }
+
+    /// By how much it moves 0: |a|, cosh of half the hyperbolic distance.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.a.norm()
+    }
+
     /// The image of a point of the closed disk.
     #[inline]
     #[must_use]

@@ -13,8 +13,10 @@ mod disk_builder;
 mod disk_side;
 mod evaluator;
 mod fit;
+mod frame;
 mod inverse_cell;
 mod link;
+mod passage;
 mod patch;
 mod power_series;
 mod quadtree;
@@ -27,6 +29,8 @@ use crate::symm::solve::{Solution, SolveOptions};
 use atlas::Atlas;
 use disk_side::{DiskSide, Source};
 pub use evaluator::Evaluator;
+use frame::Frame;
+pub use passage::{Compass, Passage};
 use region_side::RegionSide;
 use std::fmt;
 use std::sync::OnceLock;
@@ -150,6 +154,11 @@ impl DiskPoint {
     /// No point.
     pub const NOWHERE: Self = Self { chart: 0, w: Complex64::new(f64::NAN, f64::NAN) };
 
+    /// The nearest point of the circle.
+    pub(super) fn onto_circle(self) -> Self {
+        Self { w: self.w / self.w.norm(), ..self }
+    }
+
     /// A point that is given by a number.
     pub(super) fn flat(w: Complex64) -> Self {
         Self { chart: 0, w }
@@ -196,16 +205,18 @@ impl Expansions {
         self.region.at(&self.atlas, z).map(|(chart, w)| DiskPoint { chart, w })
     }
 
-    /// Region → disk, flat, with the derivative.
+    /// Region → disk, with the derivative in the point's chart.
     #[inline]
     #[must_use]
-    pub fn to_disk_with_slope(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
-        let (chart, w, slope) = self.region.with_slope(&self.atlas, z)?;
-        if chart == 0 {
-            return Some((w, slope));
-        }
-        let link = self.atlas.link(0, chart);
-        Some((link.apply(w), slope * link.slope(w)))
+    pub fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
+        self.region.with_slope(&self.atlas, z).map(|(chart, w, slope)| (DiskPoint { chart, w }, slope))
+    }
+
+    /// d(flat point)/d(point in its chart).
+    #[inline]
+    #[must_use]
+    pub fn flat_slope(&self, point: DiskPoint) -> Complex64 {
+        if point.chart == 0 { Complex64::ONE } else { self.atlas.link(0, point.chart).slope(point.w) }
     }
 
     /// The point as a number.
@@ -222,15 +233,21 @@ impl Expansions {
         self.follow(point, DiskSide::at).map(|(z, _, _)| z)
     }
 
-    /// Disk → region, flat, with the derivative.
+    /// Disk → region, with the derivative by the point's number in its chart.
     #[inline]
     #[must_use]
-    pub fn to_region_with_slope(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
-        let (z, slope, chart) = self.follow(DiskPoint::flat(w), DiskSide::with_slope)?;
-        if chart == 0 {
+    pub fn to_region_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)> {
+        let (z, slope, chart) = self.follow(point, DiskSide::with_slope)?;
+        if chart == point.chart {
             return Some((z, slope));
         }
-        Some((z, slope * self.atlas.link(chart, 0).slope(w)))
+        Some((z, slope * self.atlas.link(chart, point.chart).slope(point.w)))
+    }
+
+    /// The charts seen from the first.
+    #[must_use]
+    pub fn frames(&self) -> &[Frame] {
+        &self.atlas.frames
     }
 
     /// Asks charts until one knows the point: it, the derivative in the chart that knew, and that chart.

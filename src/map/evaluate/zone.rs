@@ -100,6 +100,9 @@ impl Zone {
         if self.alpha == 1.0 {
             return self.direction.conj() / self.reach;
         }
+        if tau == Complex64::ZERO {
+            return Complex64::new(if self.alpha < 1.0 { 0.0 } else { f64::INFINITY }, 0.0);
+        }
         // dz/dτ = α (z − origin)/τ.
         tau / ((self.point(tau) - self.origin) * self.alpha)
     }

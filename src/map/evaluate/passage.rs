@@ -1,0 +1,50 @@
+//! From the disk of one region to that of another, chart to chart.
+
+use super::DiskPoint;
+use super::frame::{Angle, Frame};
+use super::link::Link;
+use crate::plane::Complex64;
+
+/// A region's charts seen from its first, and the direction of its `toward`.
+#[derive(Clone, Debug)]
+pub struct Compass<'a> {
+    pub frames: &'a [Frame],
+    pub toward: Angle,
+}
+
+/// Takes points of one region's disk to another's, 0 to 0 and `toward` to `toward`, without losing them among numbers that
+/// crowd together: each chart goes to the nearest chart of the other region.
+#[derive(Clone, Debug)]
+pub struct Passage {
+    /// For each chart the other region's, and the way there.
+    ways: Vec<(usize, Link)>,
+}
+
+impl Passage {
+    #[must_use]
+    pub fn new(from: &Compass, to: &Compass) -> Self {
+        let turn = to.toward.minus(&from.toward);
+        let way = |frame: &Frame| {
+            let ways = to.frames.iter().map(|other| frame.passage(other, &turn)).enumerate();
+            ways.min_by(|(_, p), (_, q)| p.length().total_cmp(&q.length())).unwrap_or((0, Link::IDENTITY))
+        };
+        Self { ways: from.frames.iter().map(way).collect() }
+    }
+
+    /// The point in the other region's disk, and the derivative on the way.
+    #[inline]
+    #[must_use]
+    pub fn carry(&self, point: DiskPoint) -> (DiskPoint, Complex64) {
+        let (chart, link) = &self.ways[point.chart];
+        let mut w = link.apply(point.w);
+        let (before, after) = (point.w.norm_sqr(), w.norm_sqr());
+        // What lies on the circle stays there, and rounding puts nothing beyond it.
+        if after > 1.0 || (before - 1.0).abs() <= ON_CIRCLE {
+            w /= after.sqrt();
+        }
+        (DiskPoint { chart: *chart, w }, link.slope(point.w))
+    }
+}
+
+/// |w|² of points on the circle differs from 1 by no more.
+const ON_CIRCLE: f64 = 4.0 * f64::EPSILON;
