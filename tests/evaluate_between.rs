@@ -76,7 +76,11 @@ impl Ends {
     }
 
     fn at(&self, z: Complex64) -> Complex64 {
-        self.to - ((FRAC_PI_2 * (self.from - z)).sinh() * self.lambda).asinh() / FRAC_PI_2
+        // asinh with a positive real part, also on the long sides, which lie on its cut.
+        let y = (FRAC_PI_2 * (self.from - z)).sinh() * self.lambda;
+        let root = (1.0 + y * y).sqrt();
+        let largest = if (y + root).norm() >= (y - root).norm() { y + root } else { y - root };
+        self.to - largest.ln() / FRAC_PI_2
     }
 
     fn derivative(&self, z: Complex64) -> Complex64 {
@@ -92,32 +96,34 @@ fn far_ends_that_hold_toward_correspond() {
     for ((a, center), (b, image)) in
         [((20.0, 0.0), (20.0, 3.0)), ((20.0, 0.0), (10.0, -1.0)), ((10.0, 0.0), (20.0, 0.5))]
     {
-        let (from, to) = (solve(&rectangle(a, center), 1e-11), solve(&rectangle(b, image), 1e-11));
+        let (from, to) = (solve(&rectangle(a, center), 1e-10), solve(&rectangle(b, image), 1e-10));
         let map = RegionMap::between(&from, &to);
         let (exact, back) = (Ends::new((a, center), (b, image)), Ends::new((b, image), (a, center)));
         let right = |region: &Region, from: f64| {
             interior_points(region).into_iter().filter(|z| z.re > from).collect::<Vec<_>>()
         };
-        // Where the left ends are too far to matter.
-        let z = right(from.region(), center.min(0.0));
-        let images: Vec<_> = z.iter().map(|z| exact.at(*z)).collect();
-        let error = distance(&map.forward(&z), &images);
-        assert!(error < 1e-8, "{a} → {b}: {error:e}");
-        for (slope, z) in map.derivative(&z).iter().zip(&z) {
-            let ratio = slope / exact.derivative(*z);
-            assert!((ratio - 1.0).norm() < 1e-6, "{a} → {b} at {z}: {ratio}");
+        // A chart is used where |f'| × size is at least 1/20: that is how much errors in the disk can grow in the plane.
+        let solved = 20.0 * 20.0 * (from.error_estimate() + to.error_estimate());
+        // Where the left ends are too far to matter. What the map stretches it stretches errors of the solves too.
+        for z in right(from.region(), center.min(0.0)) {
+            let (image, slope) = (map.forward(&[z])[0], exact.derivative(z));
+            let error = (image - exact.at(z)).norm();
+            assert!(error < 1e-8 + solved * slope.norm(), "{a} → {b} at {z}: {error:e}");
+            let ratio = map.derivative(&[z])[0] / slope;
+            assert!((ratio - 1.0).norm() < 1e-6 + solved * slope.norm(), "{a} → {b} at {z}: {ratio}");
         }
-        let z = right(to.region(), image.min(0.0));
-        let error = distance(&map.inverse(&z), &z.iter().map(|z| back.at(*z)).collect::<Vec<_>>());
-        assert!(error < 1e-8, "{b} → {a}: {error:e}");
+        for z in right(to.region(), image.min(0.0)) {
+            let error = (map.inverse(&[z])[0] - back.at(z)).norm();
+            assert!(error < 1e-8 + solved * back.derivative(z).norm(), "{b} → {a} at {z}: {error:e}");
+        }
         // The boundary, upper side and right side.
         for z in [c(0.4 * a, 1.0), c(a - 1e-3, 1.0), c(a, 1.0), c(a, 0.999), c(a, 1e-6), c(a, 0.0)] {
             let image = map.boundary_forward(from.region().nearest(z)).point;
-            assert!((image - exact.at(z)).norm() < 1e-8, "{z} goes to {image}, not {}", exact.at(z));
+            let bound = 1e-8 + solved * exact.derivative(z).norm();
+            assert!((image - exact.at(z)).norm() < bound, "{z} goes to {image}, not {}", exact.at(z));
             let again = map.boundary_inverse(to.region().nearest(image)).point;
-            let solved = from.error_estimate() + to.error_estimate();
             // At the corner h' = 0: there the way back has no bound of this kind.
-            let bound = 1e-8 + 10.0 * solved / map.derivative(&[z])[0].norm();
+            let bound = 1e-8 + solved / map.derivative(&[z])[0].norm();
             assert!((again - z).norm() < bound, "{z} comes back as {again}");
         }
     }
