@@ -14,7 +14,8 @@ export function picture(size) {
     const [x, y] = [k % size, Math.floor(k / size)];
     seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
     const checker = ((x >> 5) ^ (y >> 5)) & 1 ? 180 : 40;
-    data.set([checker, (x * 255) / size, (y * 255) / size, 255].map((v) => v + ((seed >>> 24) & 15)), 4 * k);
+    const noise = (seed >>> 24) & 15;
+    data.set([checker + noise, (x * 240) / size + noise, (y * 240) / size + noise, 255], 4 * k);
   }
   return { data, width: size, height: size };
 }

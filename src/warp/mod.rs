@@ -31,6 +31,7 @@ mod render;
 mod sampler;
 mod source_mesh;
 mod strip;
+mod texel;
 mod texture;
 
 pub use foveated::FoveatedTexture;

@@ -27,10 +27,12 @@ pub enum Quality {
     Nearest,
     /// The four nearest texels of the picture, weighted. Aliases where the picture shrinks.
     Bilinear,
-    /// Bilinear in the two pyramid levels whose texels are nearest to the pixel's footprint, blended.
+    /// Bilinear in the two pyramid levels whose texels are nearest to the pixel's footprint, blended. The levels are
+    /// averages of light; between texels it is bytes that are interpolated, as in [`Quality::Bilinear`].
     #[default]
     Trilinear,
-    /// Four samples on a rotated grid in the pixel, each trilinear with half the footprint.
+    /// Four samples on a rotated grid in the pixel, each trilinear with half the footprint, of the texture's light
+    /// throughout.
     Best,
 }
 

@@ -12,86 +12,95 @@ type Cubic = [f64; 4];
 
 /// The patch over [0, `side`]², in pixels from the block's top left corner.
 pub(super) struct Patch {
-    side: f64,
     /// Whether the map is conformal at the corners.
     conformal: bool,
     /// For columns and rows of the texture.
     of: [Component; 2],
 }
 
+/// A polynomial of column and row: `rows[i]` is the coefficient of xⁱ as a cubic of y.
 struct Component {
-    top: Cubic,
-    bottom: Cubic,
-    left: Cubic,
-    right: Cubic,
+    rows: [Cubic; 4],
 }
 
-/// The patch along one row of the view: position and both derivatives as polynomials of the column.
-struct RowCubics {
-    at: Cubic,
-    dx: Cubic,
-    dy: Cubic,
+impl Component {
+    /// The blend of the edges' cubics: top and bottom along x, left and right along y.
+    fn new([top, bottom, left, right]: [Cubic; 4], side: f64) -> Self {
+        let across = |k: usize| [top[k], (bottom[k] - top[k]) / side, 0.0, 0.0];
+        let mut rows = [across(0), across(1), across(2), across(3)];
+        // What the left and right edges add to the straight lines between their ends.
+        let bulge = |[_, _, c2, c3]: Cubic| [0.0, -(c3 * side + c2) * side, c2, c3];
+        let (left, right) = (bulge(left), bulge(right));
+        for k in 1..4 {
+            rows[0][k] += left[k];
+            rows[1][k] += (right[k] - left[k]) / side;
+        }
+        Self { rows }
+    }
+
+    /// Along the row at height y.
+    fn row(&self, y: f64) -> Cubic {
+        self.rows.map(|cubic| value(&cubic, y))
+    }
+
+    /// ∂/∂y along the row at height y.
+    fn down(&self, y: f64) -> Cubic {
+        self.rows.map(|cubic| slope(&cubic, y))
+    }
 }
 
 impl Patch {
     /// `corners`: top left, top right, bottom left, bottom right.
     pub fn new(corners: [&Node; 4], side: f64) -> Self {
         let [a, b, c, d] = corners;
-        let component = |k: usize| Component {
-            top: hermite(a.at[k], a.dx[k], b.at[k], b.dx[k], side),
-            bottom: hermite(c.at[k], c.dx[k], d.at[k], d.dx[k], side),
-            left: hermite(a.at[k], a.dy[k], c.at[k], c.dy[k], side),
-            right: hermite(b.at[k], b.dy[k], d.at[k], d.dy[k], side),
+        let component = |k: usize| {
+            let top = hermite(a.at[k], a.dx[k], b.at[k], b.dx[k], side);
+            let bottom = hermite(c.at[k], c.dx[k], d.at[k], d.dx[k], side);
+            let left = hermite(a.at[k], a.dy[k], c.at[k], c.dy[k], side);
+            let right = hermite(b.at[k], b.dy[k], d.at[k], d.dy[k], side);
+            Component::new([top, bottom, left, right], side)
         };
         let conformal = corners.into_iter().all(Node::is_conformal);
-        Self { side, conformal, of: [component(0), component(1)] }
+        Self { conformal, of: [component(0), component(1)] }
     }
 
     /// The texture's point at the top left corner.
     pub fn corner(&self) -> Pair {
-        [self.of[0].top[0], self.of[1].top[0]]
+        [self.of[0].rows[0][0], self.of[1].rows[0][0]]
     }
 
     /// The patch at (x, y) pixels from its top left corner.
     pub fn node(&self, x: f64, y: f64) -> Node {
-        let rows = [self.row(0, y), self.row(1, y)];
-        let each = |of: fn(&RowCubics) -> &Cubic| [value(of(&rows[0]), x), value(of(&rows[1]), x)];
-        Node { at: each(|row| &row.at), dx: each(|row| &row.dx), dy: each(|row| &row.dy) }
-    }
-
-    /// One component along the row at height y.
-    fn row(&self, component: usize, y: f64) -> RowCubics {
-        let Component { top, bottom, left, right } = &self.of[component];
-        let share = y / self.side;
-        let mut at = std::array::from_fn(|k| top[k] + share * (bottom[k] - top[k]));
-        let mut dy = std::array::from_fn(|k| (bottom[k] - top[k]) / self.side);
-        // What the left and right edges add to the straight lines between their ends.
-        let bulge = |edge: &Cubic| value(edge, y) - edge[0] - share * (value(edge, self.side) - edge[0]);
-        let tilt = |edge: &Cubic| slope(edge, y) - (value(edge, self.side) - edge[0]) / self.side;
-        add_line(&mut at, bulge(left), bulge(right), self.side);
-        add_line(&mut dy, tilt(left), tilt(right), self.side);
-        let dx = [at[1], 2.0 * at[2], 3.0 * at[3], 0.0];
-        RowCubics { at, dx, dy }
+        let (rows, down) = (self.of.each_ref().map(|c| c.row(y)), self.of.each_ref().map(|c| c.down(y)));
+        let at = |cubics: &[Cubic; 2]| cubics.each_ref().map(|cubic| value(cubic, x));
+        Node { at: at(&rows), dx: rows.each_ref().map(|cubic| slope(cubic, x)), dy: at(&down) }
     }
 
     /// Writes one row of the block: pixels `start..start + count` of the strip, whose centres lie at columns ½, 1½, …
     /// and height `y` of the patch. `shift` texels are taken off first, to keep single precision exact.
     pub fn draw_row(&self, strip: &mut Strip, start: usize, count: usize, y: f64, shift: Pair) {
-        let [mut u, mut v] = [self.row(0, y), self.row(1, y)];
-        u.at[0] -= shift[0];
-        v.at[0] -= shift[1];
         let span = start..start + count;
-        write(&mut strip.u[span.clone()], &u.at);
-        write(&mut strip.v[span.clone()], &v.at);
-        if strip.has_jacobian() {
-            for (plane, cubic) in strip.jacobian.iter_mut().zip([&u.dx, &v.dx, &u.dy, &v.dy]) {
-                write(&mut plane[span.clone()], cubic);
-            }
-        }
+        let [u, v] = [0, 1].map(|k| {
+            let [constant, rest @ ..] = self.of[k].row(y);
+            let [c1, c2, c3] = rest;
+            [constant - shift[k], c1, c2, c3]
+        });
+        write(&mut strip.u[span.clone()], &u);
+        write(&mut strip.v[span.clone()], &v);
         if strip.has_levels() && self.conformal {
-            write_conformal_levels(&mut strip.level[span], [&u.dx, &v.dx]);
-        } else if strip.has_levels() {
-            write_levels(&mut strip.level[span], [&u.dx, &v.dx, &u.dy, &v.dy]);
+            write_conformal_levels(&mut strip.level[span.clone()], [&u, &v].map(derivative));
+        }
+        if strip.has_jacobian() || strip.has_levels() && !self.conformal {
+            let [dx, dy] = [[&u, &v].map(derivative), self.of.each_ref().map(|c| c.down(y))];
+            let jacobian = [&dx[0], &dx[1], &dy[0], &dy[1]];
+            for (plane, cubic) in strip.jacobian.iter_mut().zip(jacobian) {
+                if let Some(plane) = plane.get_mut(span.clone()) {
+                    write(plane, cubic);
+                }
+            }
+            if !self.conformal {
+                write_levels(&mut strip.level[span], jacobian);
+            }
         }
     }
 }
@@ -110,10 +119,8 @@ fn slope(c: &Cubic, x: f64) -> f64 {
     (3.0 * c[3] * x + 2.0 * c[2]) * x + c[1]
 }
 
-/// Adds the line from `left` at 0 to `right` at `side`.
-fn add_line(cubic: &mut Cubic, left: f64, right: f64, side: f64) {
-    cubic[0] += left;
-    cubic[1] += (right - left) / side;
+fn derivative(c: &Cubic) -> Cubic {
+    [c[1], 2.0 * c[2], 3.0 * c[3], 0.0]
 }
 
 fn write(span: &mut [f32], cubic: &Cubic) {
@@ -125,7 +132,7 @@ fn write(span: &mut [f32], cubic: &Cubic) {
 }
 
 /// log₂ of the length of ∂/∂x along a row: |f'|.
-fn write_conformal_levels(span: &mut [f32], dx: [&Cubic; 2]) {
+fn write_conformal_levels(span: &mut [f32], dx: [Cubic; 2]) {
     let [[u0, u1, u2, _], [v0, v1, v2, _]] = dx.map(|cubic| cubic.map(|c| c as f32));
     for (column, level) in span.iter_mut().enumerate() {
         let x = column as i32 as f32 + 0.5;

@@ -154,7 +154,7 @@ impl PreparedWarp {
     /// As [`PreparedWarp::warp`], and [`Error::WrongLength`] if `out` does not fit.
     pub fn warp_into(&self, texture: &Texture, out: &mut [u8]) -> Result<()> {
         self.check(texture)?;
-        let draw = sampler::kernel(texture.wrap(), self.quality);
+        let draw = sampler::kernel(texture, self.quality)?;
         self.fill(out, |row, line| draw(texture, row, line))
     }
 

@@ -1,9 +1,8 @@
 //! The levels of a mip pyramid: each half as wide and high as the one before, averaged exactly over texel areas.
 
+use super::light::Tables;
+use super::texel::{ByteTexel, LightTexel, decoded, encoded};
 use super::texture::Wrap;
-
-/// Four channels, premultiplied by the fourth, 0..=[`super::light::FULL`].
-pub(crate) type Texel = [i16; 4];
 
 /// One level: where its texels lie in the pyramid's single array.
 ///
@@ -33,6 +32,12 @@ impl Level {
     fn area(&self) -> usize {
         self.stride * (self.height + 2)
     }
+
+    /// Where the inner texels of a row lie.
+    pub fn row(&self, row: usize) -> std::ops::Range<usize> {
+        let start = self.index(1, row + 1);
+        start..start + self.width
+    }
 }
 
 /// The levels from `width` × `height` down to 1 × 1.
@@ -55,44 +60,78 @@ pub(crate) fn total(levels: &[Level]) -> usize {
     levels.iter().map(Level::area).sum()
 }
 
-/// Fills every level but the first from the one above it, and the borders of all.
-pub(crate) fn build(texels: &mut [Texel], levels: &[Level], wrap: Wrap) {
-    for pair in levels.windows(2) {
-        halve(texels, &pair[0], &pair[1]);
+/// Fills every level but the first from the first one, and the borders of all.
+pub(super) fn build(texels: &mut [ByteTexel], levels: &[Level], wrap: Wrap, tables: &Tables) {
+    if let [first, second, ..] = levels {
+        let (fine, coarse) = texels.split_at_mut(second.offset);
+        let decode = |row: usize, line: &mut [LightTexel]| {
+            line.iter_mut().zip(&fine[first.row(row)]).for_each(|(light, &bytes)| *light = decoded(bytes, tables));
+        };
+        each_coarser(levels, decode, |level, row, line| {
+            let range = level.row(row);
+            let target = &mut coarse[range.start - second.offset..range.end - second.offset];
+            target.iter_mut().zip(line).for_each(|(bytes, &light)| *bytes = encoded(light, tables));
+        });
     }
-    for level in levels {
-        fill_border(texels, level, wrap);
+    levels.iter().for_each(|level| fill_border(texels, level, wrap));
+}
+
+/// The whole pyramid as light: exactly averaged, where the levels of bytes are rounded. `texels` has room for all.
+pub(super) fn build_light(
+    texels: &mut [LightTexel],
+    levels: &[Level],
+    bytes: &[ByteTexel],
+    wrap: Wrap,
+    tables: &Tables,
+) {
+    let decode = |row: usize, line: &mut [LightTexel]| {
+        line.iter_mut().zip(&bytes[levels[0].row(row)]).for_each(|(light, &bytes)| *light = decoded(bytes, tables));
+    };
+    (0..levels[0].height).for_each(|row| decode(row, &mut texels[levels[0].row(row)]));
+    each_coarser(levels, decode, |level, row, line| texels[level.row(row)].copy_from_slice(line));
+    levels.iter().for_each(|level| fill_border(texels, level, wrap));
+}
+
+/// Averages each level from the one above it: `first` reads a row of the first, `emit` receives every row of the others.
+fn each_coarser(
+    levels: &[Level],
+    first: impl Fn(usize, &mut [LightTexel]),
+    mut emit: impl FnMut(&Level, usize, &[LightTexel]),
+) {
+    let mut above: Vec<LightTexel> = Vec::new();
+    for (index, pair) in levels.windows(2).enumerate() {
+        let (fine, coarse) = (&pair[0], &pair[1]);
+        let mut texels = vec![[0; 4]; coarse.width * coarse.height];
+        let read = |row: usize, line: &mut [LightTexel]| match index {
+            0 => first(row, line),
+            _ => line.copy_from_slice(&above[row * fine.width..][..fine.width]),
+        };
+        halve([fine.width, fine.height], read, &mut texels);
+        texels.chunks_exact(coarse.width).enumerate().for_each(|(row, line)| emit(coarse, row, line));
+        above = texels;
     }
 }
 
-/// The inner texels of a row of a level.
-pub(crate) fn row_mut<'a>(texels: &'a mut [Texel], level: &Level, row: usize) -> &'a mut [Texel] {
-    let start = level.index(1, row + 1);
-    &mut texels[start..start + level.width]
-}
-
-/// Averages `fine` into `coarse`: rows first, into a line of sums, then columns.
-fn halve(texels: &mut [Texel], fine: &Level, coarse: &Level) {
-    let (above, below) = texels.split_at_mut(coarse.offset);
-    let mut line = vec![[0.0_f32; 4]; fine.width];
-    let columns = Halving::new(fine.width);
-    let rows = Halving::new(fine.height);
-    for row in 0..coarse.height {
-        line.fill([0.0; 4]);
+/// Averages a level, given by its rows, into `coarse`: rows first, into a line of sums, then columns.
+fn halve([width, height]: [usize; 2], read: impl Fn(usize, &mut [LightTexel]), coarse: &mut [LightTexel]) {
+    let (columns, rows) = (Halving::new(width), Halving::new(height));
+    let mut line = vec![[0; 4]; width];
+    let mut sums = vec![[0.0_f32; 4]; width];
+    for (row, target) in coarse.chunks_exact_mut(columns.m).enumerate() {
+        sums.fill([0.0; 4]);
         for (source, weight) in rows.taps(row) {
-            let start = fine.index(1, source + 1);
-            for (sum, texel) in line.iter_mut().zip(&above[start..start + fine.width]) {
+            read(source, &mut line);
+            for (sum, texel) in sums.iter_mut().zip(&line) {
                 for channel in 0..4 {
                     sum[channel] += weight * f32::from(texel[channel]);
                 }
             }
         }
-        let start = coarse.index(1, row + 1) - coarse.offset;
-        for (column, texel) in below[start..start + coarse.width].iter_mut().enumerate() {
+        for (column, texel) in target.iter_mut().enumerate() {
             let mut sum = [0.5_f32; 4];
             for (source, weight) in columns.taps(column) {
                 for channel in 0..4 {
-                    sum[channel] += weight * line[source][channel];
+                    sum[channel] += weight * sums[source][channel];
                 }
             }
             *texel = sum.map(|s| s as i16);
@@ -124,7 +163,7 @@ impl Halving {
 }
 
 /// Continues a level by one texel on each side.
-fn fill_border(texels: &mut [Texel], level: &Level, wrap: Wrap) {
+fn fill_border<T: Copy + Default>(texels: &mut [[T; 4]], level: &Level, wrap: Wrap) {
     let (w, h) = (level.width, level.height);
     // Mirrored, the neighbour of the first texel is that texel itself, as when clamped.
     let (before, after) = match wrap {
@@ -133,7 +172,8 @@ fn fill_border(texels: &mut [Texel], level: &Level, wrap: Wrap) {
         Wrap::Repeat => (Some([w, h]), Some([1, 1])),
     };
     for row in 1..=h {
-        let fetch = |from: Option<[usize; 2]>| from.map_or([0; 4], |[column, _]| texels[level.index(column, row)]);
+        let fetch =
+            |from: Option<[usize; 2]>| from.map_or([T::default(); 4], |[column, _]| texels[level.index(column, row)]);
         let (left, right) = (fetch(before), fetch(after));
         texels[level.index(0, row)] = left;
         texels[level.index(w + 1, row)] = right;
@@ -141,7 +181,7 @@ fn fill_border(texels: &mut [Texel], level: &Level, wrap: Wrap) {
     for (row, from) in [(0, before), (h + 1, after)] {
         let to = level.index(0, row);
         match from {
-            None => texels[to..to + level.stride].fill([0; 4]),
+            None => texels[to..to + level.stride].fill([T::default(); 4]),
             Some([_, source]) => {
                 let start = level.index(0, source);
                 texels.copy_within(start..start + level.stride, to);

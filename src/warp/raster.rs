@@ -113,7 +113,7 @@ impl Triangle {
         let ramp = |plane: &mut [f32], linear: &Linear| {
             let (first, step) = ((linear.value + x * linear.dx + y * linear.dy) as f32, linear.dx as f32);
             for (k, value) in plane.iter_mut().enumerate() {
-                *value = first + k as f32 * step;
+                *value = first + k as i32 as f32 * step;
             }
         };
         ramp(&mut strip.u[span.clone()], &self.u);

@@ -42,12 +42,13 @@ pub fn recover<M: InvertibleMap>(map: &M, image: &Frame, texture: &Texture, opti
     let reached = kept(&Texture::new(&[255; 4], 1, 1, Wrap::Clamp, Light::Plain)?)?;
     let back = WarpOptions { texture: *image, direction: Direction::PullBack, ..options.clone() };
     let prepared = Inverse(map).prepare(&image_kept, &back)?;
-    let draw = sampler::kernel(Wrap::Transparent, options.quality);
+    let draw = sampler::kernel(&image_kept, options.quality)?;
+    let measure = sampler::kernel(&reached, options.quality)?;
     let (mut out, mut shares) = (vec![0; options.output_len()?], Vec::new());
     prepared.fill(&mut out, |row, line| {
         shares.resize(line.len(), 0);
         draw(&image_kept, row, line);
-        draw(&reached, row, &mut shares);
+        measure(&reached, row, &mut shares);
         for (pixel, share) in line.as_chunks_mut::<4>().0.iter_mut().zip(shares.as_chunks::<4>().0) {
             let [alpha, share] = [pixel[3], share[3]].map(u32::from);
             pixel[3] = ((255 * alpha + share / 2) / share.max(1)).min(255) as u8;

@@ -44,9 +44,10 @@ pub(super) fn render(
         return Err(Error::WrongLength { what: "The output", expected: expected.to_string(), found: out.len() });
     }
     let (first, line) = (options.checked_rows()?.start, 4 * options.view.pixels()[0]);
+    let draw = sampler::kernel(texture, options.quality)?;
     strips(&mut |strip| {
         let band = &mut out[line * (strip.first_row - first)..][..line * strip.rows];
-        sampler::sample(texture, options.quality, strip, band);
+        sampler::sample(draw, texture, strip, band);
         for &(row, column, share) in &strip.shares {
             dim(&mut band[line * row + 4 * column + 3], share);
         }

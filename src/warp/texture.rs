@@ -1,8 +1,10 @@
 //! A picture made ready for filtering: a mip pyramid, built once, read by every warp.
 
-use super::light::{FULL, Light, Tables};
-use super::pyramid::{self, Level, Texel};
+use super::light::Light;
+use super::pyramid::{self, Level};
+use super::texel::{ByteTexel, LightTexel, premultiplied};
 use crate::{Error, Result};
+use std::sync::OnceLock;
 
 /// What lies beyond the edges of a texture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -25,11 +27,13 @@ pub enum Wrap {
 
 /// A picture as a pyramid of premultiplied texels, each level averaged from the one above it.
 ///
-/// Building costs one pass over the picture; a warp only reads it. A texel takes 8 bytes, the pyramid 4/3 as many texels
-/// as the picture.
+/// Building costs one pass over the picture; a warp only reads it. A texel takes 4 bytes, the pyramid 4/3 as many texels
+/// as the picture. Only [`Quality::Best`](super::Quality::Best) in linear light needs more: its first picture adds a
+/// pyramid of light, 8 bytes a texel.
 #[derive(Clone, Debug)]
 pub struct Texture {
-    texels: Vec<Texel>,
+    texels: Vec<ByteTexel>,
+    light_texels: OnceLock<Vec<LightTexel>>,
     levels: Vec<Level>,
     wrap: Wrap,
     light: Light,
@@ -62,13 +66,10 @@ impl Texture {
             return Err(too_large);
         }
         let levels = pyramid::levels(width, height);
-        let total = pyramid::total(&levels);
-        let mut texels: Vec<Texel> = Vec::new();
-        if total > MAX_TEXELS || texels.try_reserve_exact(total).is_err() {
+        if pyramid::total(&levels) > MAX_TEXELS {
             return Err(too_large);
         }
-        texels.resize(total, [0; 4]);
-        let mut texture = Self { texels, levels, wrap, light };
+        let mut texture = Self { texels: empty(&levels)?, light_texels: OnceLock::new(), levels, wrap, light };
         texture.fill(rgba);
         Ok(texture)
     }
@@ -88,20 +89,18 @@ impl Texture {
     }
 
     fn fill(&mut self, rgba: &[u8]) {
-        let tables = self.light.tables();
-        for (row, bytes) in rgba.chunks_exact(4 * self.levels[0].width).enumerate() {
-            let line = pyramid::row_mut(&mut self.texels, &self.levels[0], row);
-            for (texel, pixel) in line.iter_mut().zip(bytes.as_chunks().0) {
-                *texel = premultiplied(*pixel, tables);
-            }
+        self.light_texels.take();
+        for (row, pixels) in rgba.chunks_exact(4 * self.levels[0].width).enumerate() {
+            let line = &mut self.texels[self.levels[0].row(row)];
+            line.iter_mut().zip(pixels.as_chunks().0).for_each(|(texel, pixel)| *texel = premultiplied(*pixel));
         }
-        pyramid::build(&mut self.texels, &self.levels, self.wrap);
+        pyramid::build(&mut self.texels, &self.levels, self.wrap, self.light.tables());
     }
 
-    /// Bytes that its pyramid takes.
+    /// Bytes that its pyramids take.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        size_of_val(&self.texels[..])
+        size_of_val(&self.texels[..]) + self.light_texels.get().map_or(0, |texels| size_of_val(&texels[..]))
     }
 
     /// [columns, rows] of the picture.
@@ -122,8 +121,31 @@ impl Texture {
         self.light
     }
 
-    pub(super) fn texels(&self) -> &[Texel] {
+    pub(super) fn texels(&self) -> &[ByteTexel] {
         &self.texels
+    }
+
+    /// Makes the pyramid of light, if there is none yet.
+    ///
+    /// # Errors
+    /// [`Error::TextureTooLarge`] if there is no memory for it.
+    pub(super) fn make_light(&self) -> Result<()> {
+        if self.light_texels.get().is_none() {
+            // Another thread may be as quick; then one's work is dropped.
+            let _ = self.light_texels.set(self.lit(empty(&self.levels)?));
+        }
+        Ok(())
+    }
+
+    /// The pyramid of light.
+    pub(super) fn light_texels(&self) -> &[LightTexel] {
+        self.light_texels.get_or_init(|| self.lit(vec![[0; 4]; pyramid::total(&self.levels)]))
+    }
+
+    /// `texels`, filled with the pyramid of light.
+    fn lit(&self, mut texels: Vec<LightTexel>) -> Vec<LightTexel> {
+        pyramid::build_light(&mut texels, &self.levels, &self.texels, self.wrap, self.light.tables());
+        texels
     }
 
     pub(super) fn levels(&self) -> &[Level] {
@@ -131,27 +153,24 @@ impl Texture {
     }
 }
 
-/// A pixel with straight alpha → a texel.
-fn premultiplied([r, g, b, alpha]: [u8; 4], tables: &Tables) -> Texel {
-    let [r, g, b] = [r, g, b].map(|byte| tables.decode[usize::from(byte)]);
-    match alpha {
-        255 => [r, g, b, FULL],
-        _ => {
-            let a = i32::from(alpha);
-            let [r, g, b] = [r, g, b].map(|value| ((i32::from(value) * a + 127) / 255) as i16);
-            [r, g, b, (128 * a) as i16]
-        }
-    }
+/// Room for all texels of a pyramid.
+fn empty<T: Copy + Default>(levels: &[Level]) -> Result<Vec<[T; 4]>> {
+    let (total, Level { width, height, .. }) = (pyramid::total(levels), levels[0]);
+    let mut texels = Vec::new();
+    texels.try_reserve_exact(total).map_err(|_| Error::TextureTooLarge { width, height })?;
+    texels.resize(total, [T::default(); 4]);
+    Ok(texels)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::light::FULL;
     use super::*;
 
     /// The level's inner texels, row by row.
-    fn inner(texture: &Texture, level: usize) -> Vec<Texel> {
-        let Level { offset, stride, width, height, .. } = texture.levels[level];
-        (1..=height).flat_map(|row| texture.texels[offset + row * stride + 1..][..width].to_vec()).collect()
+    fn inner<T: Copy>(texture: &Texture, texels: &[T], level: usize) -> Vec<T> {
+        let level = texture.levels[level];
+        (0..level.height).flat_map(|row| texels[level.row(row)].to_vec()).collect()
     }
 
     #[test]
@@ -159,15 +178,16 @@ mod tests {
         let checker = [[0, 0, 0, 255], [255, 255, 255, 255], [255, 255, 255, 255], [0, 0, 0, 255]].concat();
         let half = FULL / 2;
         let texture = Texture::new(&checker, 2, 2, Wrap::Clamp, Light::Linear).unwrap();
-        assert_eq!(inner(&texture, 1), [[half, half, half, FULL]]);
-        assert_eq!(Light::Linear.tables().encode[half as usize], 188, "half the light of white is sRGB 188");
+        assert_eq!(inner(&texture, texture.light_texels(), 1), [[half, half, half, FULL]]);
+        assert_eq!(inner(&texture, texture.texels(), 1), [[188, 188, 188, 255]], "half the light of white is sRGB 188");
     }
 
     #[test]
     fn transparent_texels_lend_no_color() {
         let pixels = [[255, 0, 0, 255], [0, 255, 0, 0]].concat();
         let texture = Texture::new(&pixels, 2, 1, Wrap::Clamp, Light::Plain).unwrap();
-        assert_eq!(inner(&texture, 1), [[FULL / 2, 0, 0, FULL / 2]]);
+        assert_eq!(inner(&texture, texture.light_texels(), 1), [[FULL / 2, 0, 0, FULL / 2]]);
+        assert_eq!(inner(&texture, texture.texels(), 1), [[128, 0, 0, 128]]);
     }
 
     #[test]
@@ -176,8 +196,9 @@ mod tests {
             let pixels = [10, 200, 90, 255].repeat(width * height);
             for wrap in [Wrap::Clamp, Wrap::Repeat, Wrap::Mirror] {
                 let texture = Texture::new(&pixels, width, height, wrap, Light::Linear).unwrap();
-                let first = texture.texels[0];
-                assert!(texture.texels.iter().all(|texel| *texel == first), "{width} x {height}, {wrap:?}");
+                let same = texture.texels().iter().all(|texel| *texel == [10, 200, 90, 255]);
+                let light = texture.light_texels();
+                assert!(same && light.iter().all(|texel| *texel == light[0]), "{width} x {height}, {wrap:?}");
             }
         }
     }
@@ -188,7 +209,7 @@ mod tests {
         let border = |wrap| {
             let texture = Texture::new(&pixels, 3, 1, wrap, Light::Plain).unwrap();
             let row = &texture.texels[5..10];
-            [row[0][0] / 128, row[4][0] / 128]
+            [row[0][0], row[4][0]]
         };
         assert_eq!(border(Wrap::Transparent), [0, 0]);
         assert_eq!(border(Wrap::Clamp), [1, 3]);

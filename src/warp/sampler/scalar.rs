@@ -1,84 +1,140 @@
 //! The sampler kernels in plain Rust, a pixel at a time: what native builds run, and what the simd kernels are held to.
 
-use super::{Fold, ROTATED_GRID, Row};
+use super::{Fold, Kind, Pyramid, ROTATED_GRID, Row};
 use crate::warp::light::{FULL, Tables};
-use crate::warp::pyramid::{Level, Texel};
+use crate::warp::pyramid::Level;
+use crate::warp::texel::{ByteTexel, LightTexel};
 use crate::warp::texture::Texture;
 
 /// A sum of weighted texels.
 type Sum = [f32; 4];
 
+/// A kind of texels: premultiplied numbers.
+pub(super) trait Texel: Kind {
+    fn channels(self) -> Sum;
+
+    /// A premultiplied sum → a pixel with straight alpha.
+    fn pixel(sum: Sum, tables: &Tables) -> [u8; 4];
+}
+
+impl Texel for ByteTexel {
+    fn channels(self) -> Sum {
+        self.map(f32::from)
+    }
+
+    fn pixel(sum: Sum, _: &Tables) -> [u8; 4] {
+        let byte = |value: f32| (value + 0.5) as u8;
+        let [r, g, b, alpha] = sum;
+        match byte(alpha) {
+            0 => [0; 4],
+            255 => [byte(r), byte(g), byte(b), 255],
+            coverage => {
+                let [r, g, b] = [r, g, b].map(|value| byte(255.0 * value / alpha));
+                [r, g, b, coverage]
+            }
+        }
+    }
+}
+
+impl Texel for LightTexel {
+    fn channels(self) -> Sum {
+        self.map(f32::from)
+    }
+
+    fn pixel(sum: Sum, tables: &Tables) -> [u8; 4] {
+        let [r, g, b, alpha] = sum.map(|value| (value + 0.5) as i32);
+        let byte = |value: i32| tables.encode[value.clamp(0, i32::from(FULL)) as usize];
+        match (alpha + 64) >> 7 {
+            0 => [0; 4],
+            255 => [byte(r), byte(g), byte(b), 255],
+            coverage => {
+                let [r, g, b] = [r, g, b].map(|value| byte((value * i32::from(FULL) + alpha / 2) / alpha));
+                [r, g, b, coverage as u8]
+            }
+        }
+    }
+}
+
 pub(super) fn nearest<W: Fold>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
-    let level = &texture.levels()[0];
-    each_pixel(texture, row, line, |u, v, _| {
+    let pyramid = &Pyramid::<ByteTexel>::of(texture);
+    let level = &pyramid.levels[0];
+    each_pixel(pyramid, row, line, |u, v, _| {
         let cell = |t: f32, size: usize| {
             let size = size as f32;
             (W::fold(t, size).floor().clamp(-1.0, size) as i32 + 1) as usize
         };
-        texture.texels()[level.offset + cell(v, level.height) * level.stride + cell(u, level.width)].map(f32::from)
+        pyramid.texels[level.offset + cell(v, level.height) * level.stride + cell(u, level.width)].channels()
     });
 }
 
-pub(super) fn bilinear<W: Fold>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
-    let base = &texture.levels()[0];
-    each_pixel(texture, row, line, |u, v, _| {
+pub(super) fn bilinear<W: Fold, T: Texel>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
+    let pyramid = &Pyramid::<T>::of(texture);
+    let base = &pyramid.levels[0];
+    each_pixel(pyramid, row, line, |u, v, _| {
         let (u, v) = (W::fold(u, base.width as f32), W::fold(v, base.height as f32));
         let mut sum = [0.0; 4];
-        add_bilinear(&mut sum, texture.texels(), base, u, v, 1.0);
+        add_bilinear(&mut sum, pyramid.texels, base, u, v, 1.0);
         sum
     });
 }
 
-pub(super) fn trilinear<W: Fold>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
-    each_pixel(texture, row, line, |u, v, pixel| {
+pub(super) fn trilinear<W: Fold, T: Texel>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
+    let pyramid = &Pyramid::<T>::of(texture);
+    each_pixel(pyramid, row, line, |u, v, pixel| {
         let mut sum = [0.0; 4];
-        add_trilinear::<W>(&mut sum, texture, u, v, row.level[pixel], 1.0);
+        add_trilinear::<W, T>(&mut sum, pyramid, u, v, row.level[pixel], 1.0);
         sum
     });
 }
 
-pub(super) fn best<W: Fold>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
-    each_pixel(texture, row, line, |u, v, pixel| {
+pub(super) fn best<W: Fold, T: Texel>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
+    let pyramid = &Pyramid::<T>::of(texture);
+    each_pixel(pyramid, row, line, |u, v, pixel| {
         let [ux, vx, uy, vy] = row.jacobian.map(|plane| plane[pixel]);
         let mut sum = [0.0; 4];
         for [x, y] in ROTATED_GRID {
             let (u, v) = (u + x * ux + y * uy, v + x * vx + y * vy);
-            add_trilinear::<W>(&mut sum, texture, u, v, row.level[pixel] - 1.0, 0.25);
+            add_trilinear::<W, T>(&mut sum, pyramid, u, v, row.level[pixel] - 1.0, 0.25);
         }
         sum
     });
 }
 
 /// Writes the pixel made of `sample(u, v, column)` wherever the row shows something, and nothing elsewhere.
-fn each_pixel(texture: &Texture, row: Row<'_>, line: &mut [u8], sample: impl Fn(f32, f32, usize) -> Sum) {
-    let tables = texture.light().tables();
+fn each_pixel<T: Texel>(
+    pyramid: &Pyramid<'_, T>,
+    row: Row<'_>,
+    line: &mut [u8],
+    sample: impl Fn(f32, f32, usize) -> Sum,
+) {
     for (column, pixel) in line.as_chunks_mut().0.iter_mut().enumerate() {
         let (u, v) = (row.u[column], row.v[column]);
-        *pixel = if u.is_nan() || v.is_nan() { [0; 4] } else { encoded(sample(u, v, column), tables) };
+        let hidden = u.is_nan() || v.is_nan();
+        *pixel = if hidden { [0; 4] } else { T::pixel(sample(u, v, column), pyramid.tables) };
     }
 }
 
 /// Adds `weight` times the texture at (u, v), blended between the two levels around `level`.
-fn add_trilinear<W: Fold>(sum: &mut Sum, texture: &Texture, u: f32, v: f32, level: f32, weight: f32) {
-    let levels = texture.levels();
+fn add_trilinear<W: Fold, T: Texel>(sum: &mut Sum, pyramid: &Pyramid<'_, T>, u: f32, v: f32, level: f32, weight: f32) {
+    let levels = pyramid.levels;
     let (u, v) = (W::fold(u, levels[0].width as f32), W::fold(v, levels[0].height as f32));
     let level = level.max(0.0).min((levels.len() - 1) as f32);
     let (lower, share) = (level as usize, level.fract());
-    add_bilinear(sum, texture.texels(), &levels[lower], u, v, weight * (1.0 - share));
+    add_bilinear(sum, pyramid.texels, &levels[lower], u, v, weight * (1.0 - share));
     if share > 0.0 {
-        add_bilinear(sum, texture.texels(), &levels[lower + 1], u, v, weight * share);
+        add_bilinear(sum, pyramid.texels, &levels[lower + 1], u, v, weight * share);
     }
 }
 
 /// Adds `weight` times the level at (u, v), which are texels of level 0.
-fn add_bilinear(sum: &mut Sum, texels: &[Texel], level: &Level, u: f32, v: f32, weight: f32) {
+fn add_bilinear<T: Texel>(sum: &mut Sum, texels: &[T], level: &Level, u: f32, v: f32, weight: f32) {
     let (column, x) = cell(u * level.scale[0], level.width);
     let (row, y) = cell(v * level.scale[1], level.height);
     let start = level.offset + row * level.stride + column;
     let weights = [(1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y];
     for (tap, share) in [0, 1, level.stride, level.stride + 1].into_iter().zip(weights) {
-        for (channel, &value) in sum.iter_mut().zip(&texels[start + tap]) {
-            *channel += weight * share * f32::from(value);
+        for (channel, value) in sum.iter_mut().zip(texels[start + tap].channels()) {
+            *channel += weight * share * value;
         }
     }
 }
@@ -89,18 +145,4 @@ fn cell(t: f32, size: usize) -> (usize, f32) {
     let t = (t - 0.5).clamp(-1.0, size);
     let before = t.floor().min(size - 1.0);
     ((before as i32 + 1) as usize, t - before)
-}
-
-/// A premultiplied sum → a pixel with straight alpha.
-fn encoded(sum: Sum, tables: &Tables) -> [u8; 4] {
-    let [r, g, b, alpha] = sum.map(|value| (value + 0.5) as i32);
-    let byte = |value: i32| tables.encode[value.clamp(0, i32::from(FULL)) as usize];
-    match (alpha + 64) >> 7 {
-        0 => [0; 4],
-        255 => [byte(r), byte(g), byte(b), 255],
-        coverage => {
-            let [r, g, b] = [r, g, b].map(|value| byte((value * i32::from(FULL) + alpha / 2) / alpha));
-            [r, g, b, coverage as u8]
-        }
-    }
 }
