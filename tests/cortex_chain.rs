@@ -34,31 +34,64 @@ fn field() -> Vec<Complex64> {
 /// relative. The blind spot and the direction of the horizontal meridian there are given.
 fn errors(vertices: usize) -> [f64; 2] {
     let exact = jets(&truth(), &field());
-    let found = jets(&chain(vertices), &field());
+    let found = jets(&chain(vertices, 1e-11), &field());
     let millimetres = found.iter().zip(&exact).map(|(found, exact)| (found.value - exact.value).norm());
     let magnifications = found.iter().zip(&exact).map(|(found, exact)| (found.dz / exact.dz).norm() - 1.0);
     [largest(millimetres), largest(magnifications.map(f64::abs))]
 }
 
-/// Half disk → cortex, through Symm's map of an outline of so many vertices.
-fn chain(vertices: usize) -> RetinoCorticalMap<RiemannMap> {
+/// Half disk → cortex, through Symm's map of an outline of so many vertices, solved to a tolerance.
+fn chain(vertices: usize, tolerance: f64) -> RetinoCorticalMap<RiemannMap> {
     let field = FieldPoint::BLIND_SPOT.coordinate();
     let known = truth().jet(field);
     let outline = CorticalModel::POLIMENI_2006.outline(vertices);
     assert_eq!(outline.len(), vertices);
     let region = Region::new(&outline, Curve::Polygon, known.value, outline[0]).expect("the outline is simple");
     let landmark = Landmark { field, cortex: known.value, direction: known.dz.arg() };
-    RetinoCorticalMap::new(solve(&region, 1e-8), landmark).expect("the blind spot is inside")
+    RetinoCorticalMap::new(solve(&region, tolerance), landmark).expect("the blind spot is inside")
 }
 
 #[test]
 fn symm_agrees_with_the_closed_form() {
-    let [coarse, middle, fine] = [100, 200, 400].map(errors);
-    println!("100, 200, 400 vertices: {:.1e}, {:.1e}, {:.1e} mm", coarse[0], middle[0], fine[0]);
-    println!("magnification: {:.1e}, {:.1e}, {:.1e}", coarse[1], middle[1], fine[1]);
-    assert!(fine[0] < 1e-5 && fine[1] < 1e-4, "{fine:?}");
+    let counts = [100, 200, 400, 800, 1600];
+    let found = counts.map(errors);
+    for (count, [millimetres, magnification]) in counts.iter().zip(found) {
+        println!("{count} vertices: {millimetres:.1e} mm, magnification {magnification:.1e}");
+    }
+    let [millimetres, magnification] = found[2];
+    assert!(millimetres < 1e-5 && magnification < 1e-4, "{found:?}");
     // At least as the square of the edge length, in fact as its cube: the edges lie as much inside the curve as outside.
-    assert!(middle[0] < coarse[0] / 4.0 && fine[0] < middle[0] / 4.0, "{coarse:?}, {middle:?}, {fine:?}");
+    for pair in found.windows(2) {
+        assert!(pair[1][0] < pair[0][0] / 4.0, "{found:?}");
+    }
+}
+
+/// Of the closed form: its area, its length along the horizontal meridian, and the share within 15°; of the chain from its
+/// outline the same, by integration over the field.
+#[test]
+fn areas_and_extents_are_those_of_the_dipole() {
+    let exact = CorticalModel::POLIMENI_2006;
+    let map = chain(400, 1e-8);
+    let area = |within: f64| {
+        // ∫ |f'|² over the half disk, r + a evenly in its logarithm, in the unit of 90°.
+        let (n, a) = (200, 0.69 / 90.0);
+        let steps = (within / 90.0 / a).ln_1p() / f64::from(n);
+        let radius = |i: f64| a * (steps * i).exp_m1();
+        let angle = |j: f64| std::f64::consts::PI * (j / f64::from(n) - 0.5);
+        let cells = (0..n * n).map(|k| [f64::from(k / n) + 0.5, f64::from(k % n) + 0.5]);
+        let points: Vec<Complex64> = cells.map(|[i, j]| Complex64::from_polar(radius(i), angle(j))).collect();
+        let ring = |s: &Complex64| s.norm() * (s.norm() + a) * steps * std::f64::consts::PI / f64::from(n);
+        jets(&map, &points).iter().zip(&points).map(|(jet, s)| jet.dz.norm_sqr() * ring(s)).sum::<f64>()
+    };
+    let (whole, central) = (area(90.0), area(15.0));
+    println!("{whole:.0} mm², {:.1} % of it within 15°", 100.0 * central / whole);
+    assert!((whole / 2253.0 - 1.0).abs() < 0.01 && (central / whole / 0.70 - 1.0).abs() < 0.01);
+    assert!((whole / exact.area_within(90.0) - 1.0).abs() < 1e-3);
+    // The fovea and the far end of the meridian lie on the outline: just inside.
+    let ends = jets(&map, &[Complex64::new(1e-9, 0.0), Complex64::new(1.0 - 1e-9, 0.0)]);
+    let length = (ends[1].value - ends[0].value).norm();
+    let expected = exact.jet(Complex64::new(90.0, 0.0)).value.re;
+    assert!((length / expected - 1.0).abs() < 1e-3, "{length} mm, not {expected}");
 }
 
 /// The cortical picture itself: the closed form and Symm's chain draw the same pixels.
@@ -75,7 +108,7 @@ fn both_draw_the_same_picture() {
     let cortex = Frame::new(Complex64::new(40.0, 0.0), 90.0, [240, 160]).expect("a frame");
     let options = WarpOptions::new(half_disk, cortex);
     let exact = truth().inverted().warp(&texture, &options).expect("a picture");
-    let found = chain(200).inverted().warp(&texture, &options).expect("a picture");
+    let found = chain(200, 1e-8).inverted().warp(&texture, &options).expect("a picture");
     let drawn = exact.as_chunks::<4>().0.iter().filter(|pixel| pixel[3] == 255).count();
     assert!(drawn > 10_000, "only {drawn} pixels are drawn");
     let differing = exact.iter().zip(&found).filter(|(a, b)| a.abs_diff(**b) > 2).count();
