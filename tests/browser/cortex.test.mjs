@@ -23,8 +23,17 @@ const openCortex = (hash = "", options = {}) => openPage(session, `cortex.html${
  * @param {[number, number][]} [places]
  */
 function cortex(page, places = []) {
-  return page.evaluate((wanted) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("cortex"));
+  return canvasOf(page, "cortex", places);
+}
+
+/**
+ * @param {Page} page
+ * @param {string} id of a canvas
+ * @param {[number, number][]} [places]
+ */
+function canvasOf(page, id, places = []) {
+  return page.evaluate(([id, wanted]) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById(id));
     const { width, height } = canvas;
     const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(0, 0, width, height);
     let filled = 0;
@@ -34,15 +43,19 @@ function cortex(page, places = []) {
       return [...data.slice(at, at + 4)];
     });
     return { samples, filled: filled / (width * height), digest: data.reduce((sum, value) => (Math.imul(sum, 31) + value) | 0, 0) };
-  }, places);
+  }, /** @type {const} */ ([id, places]));
 }
 
 test("opening shows what both hemispheres receive, with the model's source", async () => {
   const { page, errors, close } = await openCortex();
   const { filled } = await cortex(page);
   assert.ok(filled > 0.2 && filled < 0.9, `${filled} of the panel is filled`);
-  assert.match(await page.locator("#source").innerText(), /Schira and others, 2010/);
-  assert.ok((await page.locator("#plot .curve").getAttribute("d"))?.startsWith("M"));
+  const notes = await page.locator(".note").allInnerTexts();
+  assert.match(notes[0], /Schira and others, 2010.*2910 mm²/);
+  assert.match(notes[1], /Symm.*2643 mm² a hemisphere.*lands \d·10⁻\S+ mm from its place/);
+  assert.match(await page.locator("#evidence").innerText(), /Adams, Sincich and Horton.*Drawn in \d+ ms from a foveated picture of 2 levels/);
+  const curves = await page.locator("#plot .curve").evaluateAll((paths) => paths.filter((path) => path.getAttribute("d")?.startsWith("M")).length);
+  assert.equal(curves, 8, "four curves, each with its key");
   await screenshot(page, "cortex");
   await page.locator("#lines").click();
   await settled(page, "ready");
@@ -87,7 +100,11 @@ test("gaze, angle and model change the picture, and the address holds them", asy
   await changed("the angle");
   await page.locator("#model").selectOption("monopole");
   await changed("the model");
-  await page.waitForURL(/model=monopole/);
+  await page.locator("#model").selectOption("wedge");
+  await changed("the wedge");
+  await page.locator(".shear input").first().fill("0.8");
+  await changed("the shear");
+  await page.waitForURL(/model=wedge.*shear=0.8/);
   const other = await openCortex(new URL(page.url()).hash);
   assert.equal((await page.locator("#angle").innerText()), "80°");
   await other.close();
@@ -95,6 +112,84 @@ test("gaze, angle and model change the picture, and the address holds them", asy
   const panel = await middle(page.locator("#cortex"));
   await page.mouse.move(panel.x + 60, panel.y);
   assert.match(await page.locator("#reading").innerText(), /looks [\d.]+° away .* gives [\d.]+ mm to each degree/);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("what the cortex recovers is sharp where the eye looks", async () => {
+  const { page, errors, close } = await openCortex();
+  /** Mean difference of neighbours in a square of the photo's panel, at a share of its width and height. @param {number} x @param {number} y */
+  const detail = (x, y) =>
+    page.evaluate(([x, y]) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("seen"));
+      const side = Math.round(canvas.width / 8);
+      const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+      const { data } = context.getImageData(Math.round(x * canvas.width - side / 2), Math.round(y * canvas.height - side / 2), side, side);
+      let sum = 0;
+      for (let at = 4; at < data.length; at += 4) if (at % (4 * side)) sum += Math.abs(data[at] - data[at - 4]);
+      return sum / (side * side);
+    }, [x, y]);
+  const [face, badge] = [await detail(0.435, 0.22), await detail(0.33, 0.74)];
+  await page.locator("#dots").selectOption("2");
+  await settled(page, "ready");
+  const [recovered, lost] = [await detail(0.435, 0.22), await detail(0.33, 0.74)];
+  assert.ok(recovered > 0.5 * face, `the face: ${face} became ${recovered}`);
+  assert.ok(lost < 0.4 * badge, `the badge: ${badge} became ${lost}`);
+  await screenshot(page, "cortex-recovered");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("an outline is drawn, read from text and turned by its landmark", async () => {
+  const { page, errors, close } = await openCortex("#beside=own");
+  const note = page.locator(".note").nth(1);
+  const area = async () => Number((await note.innerText()).match(/(\d+) mm²/)?.[1]);
+  assert.equal(await area(), 2643);
+  // A corner at a time, in mm of the panel.
+  await page.locator(".draw").nth(1).click();
+  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator("#beside-marks").boundingBox());
+  for (const [x, y] of [[0.52, 0.5], [0.6, 0.8], [0.9, 0.8], [0.9, 0.2], [0.6, 0.2], [0.52, 0.5]]) await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
+  await settled(page, "ready");
+  const drawn = await area();
+  assert.ok(drawn > 1500 && drawn < 2500, `${drawn} mm²`);
+  await page.waitForURL(/own=/);
+  // From an SVG path, in centimetres.
+  await page.locator(".read").nth(1).click();
+  await page.locator("#outline-text").fill("M0 0 h8 q1 2 0 4 h-8");
+  await page.locator("#outline-scale").fill("0");
+  await page.locator("#outline-form .primary").click();
+  await page.locator("#outline-scale").fill("10");
+  await page.locator("#outline-text").fill("[[0, 0], [8, 4], [8, 0], [0, 4]]");
+  await page.locator("#outline-form .primary").click();
+  assert.match(await page.locator("#outline-refusal").innerText(), /crosses or touches itself/);
+  await page.locator("#outline-text").fill("M0 0 h8 q1 2 0 4 h-8 z");
+  await page.locator("#outline-form .primary").click();
+  await settled(page, "ready");
+  assert.ok(Math.abs((await area()) - 3333) < 10, `${await area()} mm²`);
+  const before = await canvasOf(page, "beside");
+  const handle = await middle(page.locator('#beside-marks [data-part="direction"]'));
+  await page.mouse.move(handle.x, handle.y);
+  await page.mouse.down();
+  await page.mouse.move(handle.x - 20, handle.y - 30, { steps: 3 });
+  await page.mouse.up();
+  await settled(page, "ready");
+  const turned = await canvasOf(page, "beside");
+  assert.notEqual(turned.digest, before.digest);
+  await page.locator('#beside-marks [data-part="center"]').focus();
+  await page.keyboard.press("ArrowLeft");
+  await settled(page, "ready");
+  assert.notEqual((await canvasOf(page, "beside")).digest, turned.digest);
+  await page.waitForURL(/at-own=/);
+  await page.locator("#circles").click();
+  await settled(page, "ready");
+  await screenshot(page, "cortex-outline");
+  // Outside, the landmark has no map: the panel says so.
+  const place = await middle(page.locator('#beside-marks [data-part="center"]'));
+  await page.mouse.move(place.x, place.y);
+  await page.mouse.down();
+  await page.mouse.move(place.x, place.y - 200, { steps: 3 });
+  await page.mouse.up();
+  assert.match(await note.innerText(), /must lie inside/);
   assert.deepEqual(errors, []);
   await close();
 });

@@ -26,10 +26,10 @@ pub struct CorticalModel {
 }
 
 impl CorticalModel {
-    /// Human V1, from the surface models of J. Polimeni (2006): k = 15 mm, a = 0.69°, b = 80°.
+    /// The dipole of J. Polimeni, M. Balasubramanian and E. L. Schwartz (Vision Research 46, 2006): k = 15 mm, a = 0.69°, b = 80°.
     pub const POLIMENI_2006: Self = Self { k: 15.0, a: 0.69, b: 80.0, shear: 1.0, extent: 90.0 };
 
-    /// Human V1, from the functional imaging of M. Schira and others (2010): k = 18 mm, a = 1.05°, b = 90°.
+    /// The dipole of M. Schira and others (PLoS Computational Biology 6, 2010): k = 18 mm, a = 1.05°, b = 90°.
     pub const SCHIRA_2010: Self = Self { k: 18.0, a: 1.05, b: 90.0, shear: 1.0, extent: 90.0 };
 
     /// w = k log((z + a)/a), k in millimetres, a in degrees.

@@ -10,6 +10,7 @@ import { photos } from "./photos.js";
  * @property {HTMLCanvasElement} canvas what is drawn under the region
  * @property {Uint8ClampedArray} pixels RGBA, what is warped
  * @property {import("./frame.js").Frame} frame
+ * @property {Blob} [file] the picture itself, where it is larger than what is kept
  */
 
 /** The longest side that is kept: beyond it a screen shows no more. */
@@ -58,5 +59,5 @@ async function decodePicture(id, title, blob) {
   context.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
   bitmap.close();
   const pixels = context.getImageData(0, 0, canvas.width, canvas.height).data;
-  return { id, title, canvas, pixels, frame: photoFrame(canvas.width, canvas.height) };
+  return { id, title, canvas, pixels, frame: photoFrame(canvas.width, canvas.height), ...(scale < 1 && { file: blob }) };
 }

@@ -81,8 +81,8 @@ export class Lane {
     this.#waiting = null;
     if (!this.#running || !this.#worker || !this.#picture) return;
     if (this.#handed !== this.#picture) {
-      const { pixels, frame } = this.#picture;
-      this.#worker.postMessage({ picture: { pixels, frame } });
+      const { pixels, frame, file } = this.#picture;
+      this.#worker.postMessage({ picture: { pixels, frame, file } });
       this.#handed = this.#picture;
     }
     this.#worker.postMessage({ job: this.#running });

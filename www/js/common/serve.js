@@ -4,7 +4,7 @@ import init from "../../pkg/index.js";
 
 /** @typedef {import("./frame.js").Frame} Frame */
 /** Anything that belongs to one state of the page. @typedef {{ version: number }} Versioned */
-/** @typedef {{ pixels: Uint8ClampedArray, frame: Frame }} PictureMessage */
+/** `file` holds the picture larger than `pixels`. @typedef {{ pixels: Uint8ClampedArray, frame: Frame, file?: Blob }} PictureMessage */
 /** @typedef {Versioned & { code: string, message: string, position?: number }} Failure */
 /** @typedef {(stage: string, fraction: number) => void} Progress */
 /**
@@ -12,12 +12,13 @@ import init from "../../pkg/index.js";
  * @typedef {{ result: R } | { failure: Failure } | { progress: Versioned & { fraction: number } } | { broken: string }} Reply
  * `broken`: WebAssembly did not start
  */
+/** @template R @typedef {{ result: R, transfer: ArrayBufferLike[] }} Done */
 /**
  * What does the work: `run` gives a result, and the buffers in it that may be handed over instead of copied.
  * @template {Versioned} J @template {Versioned} R
  * @typedef {object} Pipeline
- * @property {(pixels: Uint8ClampedArray, frame: Frame) => void} setPicture
- * @property {(job: J, onProgress: Progress) => { result: R, transfer: ArrayBufferLike[] }} run
+ * @property {(pixels: Uint8ClampedArray, frame: Frame, file?: Blob) => void} setPicture
+ * @property {(job: J, onProgress: Progress) => Done<R> | Promise<Done<R>>} run
  */
 
 /** Answers this worker's messages by a pipeline. @template {Versioned} J @template {Versioned} R @param {Pipeline<J, R>} pipeline */
@@ -28,10 +29,10 @@ export function serveJobs(pipeline) {
 
   self.onmessage = async (/** @type {MessageEvent<{ picture: PictureMessage } | { job: J }>} */ { data }) => {
     await ready;
-    if ("picture" in data) return pipeline.setPicture(data.picture.pixels, data.picture.frame);
+    if ("picture" in data) return pipeline.setPicture(data.picture.pixels, data.picture.frame, data.picture.file);
     const { version } = data.job;
     try {
-      const { result, transfer } = pipeline.run(data.job, (_, fraction) => post({ progress: { version, fraction } }));
+      const { result, transfer } = await pipeline.run(data.job, (_, fraction) => post({ progress: { version, fraction } }));
       post({ result }, transfer);
     } catch (error) {
       post({ failure: describe(version, error) });

@@ -1,4 +1,4 @@
-// The page of the visual cortex: a photo that is looked at, and what both hemispheres receive of it.
+// The page of the visual cortex: a photo that is looked at, and what both hemispheres receive of it by two maps.
 
 import init from "../../pkg/index.js";
 import { acceptFiles } from "../common/files.js";
@@ -10,23 +10,25 @@ import { photos } from "../common/photos.js";
 import { Probe } from "../common/probe.js";
 import { pixelOf } from "../common/svg.js";
 import { Eye } from "./eye.js";
-import { halfSize, models } from "./models.js";
-import { eccentricities, plotMagnification } from "./plot.js";
+import { isOutline, MEASURED, models, ownOutline, specOf } from "./models.js";
+import { CortexPanel } from "./panel.js";
+import { eccentricities, hortonHoyt, plotMagnification } from "./plot.js";
+import { outlineDialog } from "./read-outline.js";
+import { decode, DOTS, encode, USUAL } from "./state.js";
 import { CortexView, SeenView } from "./views.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../common/images.js").Picture} Picture */
+/** @typedef {import("./panel.js").Wishes} Wishes */
 /** @typedef {import("./pipeline.js").Job} Job */
 /** @typedef {import("./pipeline.js").Result} Result */
-/** @typedef {{ image: string, model: string, fieldOfView: number, fixation: Point, lines: boolean }} State */
+/** @typedef {import("./state.js").State} State */
 
-/** @type {State} */
-const USUAL = { image: "astronaut", model: "schira", fieldOfView: 40, fixation: [-0.13, 0.55], lines: true };
 /** A hand that has not moved for this long rests, in milliseconds; a warp that takes longer than this is given up for a newer one. */
 const REST = 160;
-const PATIENCE = 3000;
-const DRAFT = { quality: /** @type {const} */ ("trilinear"), sharpness: 0.5 };
-const FINE = { quality: /** @type {const} */ ("best"), sharpness: 1 };
+const PATIENCE = 6000;
+/** Pixels of a draft, a screen's pixel. */
+const DRAFT = 0.5;
 /** An arrow key moves the gaze by this, in plane units. */
 const KEY_STEP = 0.02;
 
@@ -35,29 +37,62 @@ await init().catch((error) => {
   throw error;
 });
 
-let state = decode();
+let state = decode(location.hash.slice(1));
 /** @type {Picture} */
 let picture = await loadPicture(state.image).catch(() => loadPicture(USUAL.image));
-/** @type {Eye | null} */
-let eye = null;
+/** One a panel. @type {Eye[]} */
+let eyes = [];
 let version = 0;
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let resting;
 
 const seen = new SeenView(element("seen"), element("seen-marks"));
-const cortex = new CortexView(element("cortex"), element("cortex-marks"));
+const askForOutline = outlineDialog((outline) => change({ own: ownOutline(outline), landmarks: without("own") }));
+const panels = ["Map of V1", "Map beside it"].map((label, k) => new CortexPanel(makeFigure(k), label, wishesOf(k)));
 /** @type {Lane<Job, Result>} */
 const lane = new Lane(new URL("./worker.js", import.meta.url), PATIENCE, receive);
-const carrier = { carry: (/** @type {string} */ side, /** @type {Point} */ point) => (side === "target" ? (eye?.toPicture(point) ?? null) : null) };
-const probe = new Probe(seen, cortex, () => carrier, () => {});
+const probes = panels.map(({ view }, k) => {
+  const carrier = { carry: (/** @type {string} */ side, /** @type {Point} */ point) => (side === "target" ? (eyes[k]?.toPicture(point) ?? null) : null) };
+  return new Probe(seen, view, () => carrier, () => {});
+});
 
 connect();
-read(null);
+read(null, 0);
 show();
 
-/** Says what a point of the cortex looks at. @param {PointerEvent | null} event */
-function read(event) {
-  const at = event && eye?.at(toPlane(cortex.frame, pixelOf(cortex.root, event)));
+/** A panel from the page's template. @param {number} k */
+function makeFigure(k) {
+  const template = /** @type {HTMLTemplateElement} */ (document.getElementById("cortex-panel"));
+  const figure = /** @type {HTMLElement} */ (template.content.cloneNode(true).childNodes[1]);
+  const names = k === 0 ? ["cortex", "cortex-marks", "model"] : ["beside", "beside-marks", "beside-model"];
+  ["canvas", "svg", "select"].forEach((part, n) => figure.querySelector(part)?.setAttribute("id", names[n]));
+  element("targets").append(figure);
+  return figure;
+}
+
+/** @param {number} k @returns {Wishes} */
+function wishesOf(k) {
+  return {
+    choose: (name) => {
+      const chosen = /** @type {[string, string]} */ ([...state.models]);
+      chosen[k] = name;
+      change({ models: chosen });
+    },
+    shear: (shear) => change({ shear }),
+    place: (name, landmark) => change({ landmarks: { ...state.landmarks, [name]: landmark } }),
+    draw: (outline) => change({ own: ownOutline(outline), landmarks: without("own") }),
+    read: askForOutline,
+    point: (event) => read(event, k),
+  };
+}
+
+/** The landmarks that were moved, but for one. @param {string} name */
+const without = (name) => Object.fromEntries(Object.entries(state.landmarks).filter(([key]) => key !== name));
+
+/** Says what a point of the cortex looks at. @param {PointerEvent | null} event @param {number} k the panel */
+function read(event, k) {
+  const { root, frame } = panels[k].view;
+  const at = event && eyes[k]?.at(toPlane(frame, pixelOf(root, event)));
   element("reading").textContent = at
     ? `This place looks ${at.eccentricity.toFixed(1)}° away from the fixation point, and gives ${at.magnification.toPrecision(2)} mm to each degree.`
     : "Click or drag on the photo to look somewhere else; point at the cortex to see what a place there looks at.";
@@ -70,33 +105,84 @@ function change(changes) {
 }
 
 function show() {
-  probe.hide();
-  const half = halfSize(state.model);
+  for (const probe of probes) probe.hide();
+  const specs = state.models.map((name) => specOf(name, state));
+  if (!look(specs)) return;
+  const half = { width: Math.max(...eyes.map((eye) => eye.half.width)), height: Math.max(...eyes.map((eye) => eye.half.height)) };
   const [width, height] = picture.frame.pixels;
   element("panels").style.setProperty("--aspect", String(width / height));
   element("panels").style.setProperty("--other-aspect", String(CortexView.aspect(half)));
-  cortex.fit(half);
-  eye?.free();
-  eye = new Eye(state.model, picture.frame, state.fieldOfView, state.fixation);
-  const lines = state.lines ? eye.lines() : [];
-  seen.show(picture, state.fixation, lines);
-  cortex.showLines(lines);
-  plotMagnification(element("plot"), eye.magnification(eccentricities));
   updateControls();
+  eyes.forEach((eye, k) => {
+    const [name, spec] = [state.models[k], specs[k]];
+    const landmark = spec.kind === "outline" ? spec : null;
+    panels[k].update(name, state, landmark);
+    panels[k].refuse("");
+    panels[k].explain(eye, spec.kind === "outline" && !state.landmarks[name] ? spec.fromFormula : undefined);
+    panels[k].view.fit(half);
+    panels[k].view.show(eye.outlines, state.lines ? eye.lines() : [], state.circles ? eye.circles() : [], landmark);
+  });
+  const [eye] = eyes;
+  seen.show(picture, state.fixation, state.lines ? eye.lines() : [], state.circles ? eye.circles() : [], state.dots === 0);
+  showMagnification();
   mark("working");
-  request(DRAFT);
+  request(false);
   clearTimeout(resting);
   resting = setTimeout(() => {
-    request(FINE);
-    history.replaceState(null, "", `#${encode()}`);
+    request(true);
+    history.replaceState(null, "", `#${encode(state)}`);
   }, REST);
 }
 
-/** @param {typeof DRAFT | typeof FINE} care */
-function request({ quality, sharpness }) {
-  const { model, fieldOfView, fixation } = state;
+/** Makes the maps anew; whether they can be made. @param {import("./models.js").Spec[]} specs */
+function look(specs) {
+  /** @type {Eye[]} */
+  const made = [];
+  for (const [k, spec] of specs.entries()) {
+    try {
+      made.push(new Eye(spec, picture.frame, state.fieldOfView, state.fixation));
+    } catch (error) {
+      for (const eye of made) eye.free();
+      panels[k].update(state.models[k], state, spec.kind === "outline" ? spec : null);
+      const words = error instanceof Error ? error.message : String(error);
+      panels[k].refuse(words);
+      mark("invalid");
+      return false;
+    }
+  }
+  for (const eye of eyes) eye.free();
+  eyes = made;
+  return true;
+}
+
+function showMagnification() {
+  const [first, second] = state.models;
+  const { k, a } = models[first].options ?? {};
+  const published = k && a && !isOutline(first) && first !== "macaque" ? [{ kind: "published", name: `${k}/(E + ${a}), its curve near the fovea`, magnification: eccentricities.map((e) => k / (e + a)) }] : [];
+  const beside = second === first ? [] : [{ kind: "second", name: models[second].title, magnification: eyes[1].magnification(eccentricities) }];
+  plotMagnification(element("plot"), [
+    { kind: "first", name: models[first].title, magnification: eyes[0].magnification(eccentricities) },
+    ...beside,
+    ...published,
+    { kind: "measured", name: "17.3/(E + 0.75), Horton and Hoyt (1991)", magnification: hortonHoyt },
+  ]);
+}
+
+/** @param {boolean} fine */
+function request(fine) {
+  const { models, fieldOfView, fixation, dots } = state;
+  const sharpness = fine ? 1 : DRAFT;
+  const [{ view }] = panels;
   lane.setPicture(picture);
-  lane.request({ version: ++version, model, fieldOfView, fixation, views: cortex.views(sharpness), quality });
+  lane.request({
+    version: ++version,
+    specs: models.map((name) => specOf(name, state)),
+    fieldOfView,
+    fixation,
+    views: view.views(sharpness),
+    fine,
+    recover: dots ? { dots, view: seen.view(sharpness) } : null,
+  });
 }
 
 /** @param {import("../common/serve.js").Reply<Result>} reply */
@@ -105,9 +191,11 @@ function receive(reply) {
   if ("progress" in reply) return;
   if ("failure" in reply) return reply.failure.version === version ? say(reply.failure.message, "invalid") : undefined;
   const { result } = reply;
-  cortex.paint(result.pixels, result.views);
-  if (result.version !== version || result.quality !== FINE.quality) return;
-  element("evidence").textContent = `Both hemispheres drawn in ${Math.max(1, Math.round(result.warpMs))} ms, four samples a pixel.`;
+  result.panels.forEach((pixels, k) => panels[k].view.paint(pixels, result.views));
+  if (result.recovered && state.dots) seen.paint(result.recovered, seen.view(result.fine ? 1 : DRAFT).pixels);
+  if (result.version !== version || !result.fine) return;
+  const stack = `from a foveated picture of ${result.levels} ${result.levels === 1 ? "level" : "levels"}`;
+  element("evidence").textContent = `${MEASURED} Drawn in ${Math.max(1, Math.round(result.warpMs))} ms ${stack}.`;
   say("", "ready");
 }
 
@@ -115,27 +203,37 @@ function connect() {
   const image = /** @type {HTMLSelectElement} */ (element("choose-photo"));
   image.append(...Object.entries(photos).map(([id, { title }]) => new Option(title, id)));
   image.onchange = () => open(loadPicture(image.value));
-  const model = /** @type {HTMLSelectElement} */ (element("model"));
-  model.append(...Object.entries(models).map(([name, { title }]) => new Option(title, name)));
-  model.onchange = () => change({ model: model.value });
   const angle = /** @type {HTMLInputElement} */ (element("field-of-view"));
   angle.oninput = () => change({ fieldOfView: Number(angle.value) });
+  const dots = /** @type {HTMLSelectElement} */ (element("dots"));
+  dots.append(...DOTS.map((n) => new Option(`as ${n} ${n === 1 ? "dot" : "dots"} a mm of V1 recover it`, String(n))));
+  dots.onchange = () => change({ dots: Number(dots.value) });
   element("lines").onclick = () => change({ lines: !state.lines });
-  element("save").onclick = () => saveCanvas(element("cortex"), "cortex.png");
+  element("circles").onclick = () => change({ circles: !state.circles });
+  element("save").onclick = () => saveCanvas(panels[0].view.canvas, "cortex.png");
   const file = /** @type {HTMLInputElement} */ (element("file"));
   element("open").onclick = () => file.click();
   acceptFiles(file, element("seen-stage"), (chosen) => open(addPicture(chosen)));
-  cortex.root.addEventListener("pointermove", read);
-  cortex.root.addEventListener("pointerleave", () => read(null));
-  seen.root.addEventListener("pointerdown", (event) => {
+  connectGaze();
+  window.addEventListener("hashchange", async () => {
+    state = decode(location.hash.slice(1));
+    picture = await loadPicture(state.image).catch(() => picture);
+    show();
+  });
+  new ResizeObserver(() => show()).observe(element("panels"));
+}
+
+function connectGaze() {
+  const { root } = seen;
+  root.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
-    seen.root.setPointerCapture(event.pointerId);
-    look(pixelOf(seen.root, event));
+    root.setPointerCapture(event.pointerId);
+    fixate(pixelOf(root, event));
   });
-  seen.root.addEventListener("pointermove", (event) => {
-    if (seen.root.hasPointerCapture(event.pointerId)) look(pixelOf(seen.root, event));
+  root.addEventListener("pointermove", (event) => {
+    if (root.hasPointerCapture(event.pointerId)) fixate(pixelOf(root, event));
   });
-  seen.root.addEventListener("keydown", (event) => {
+  root.addEventListener("keydown", (event) => {
     /** @type {Record<string, Point>} */
     const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
     const step = steps[event.key];
@@ -143,16 +241,10 @@ function connect() {
     event.preventDefault();
     change({ fixation: [state.fixation[0] + KEY_STEP * step[0], state.fixation[1] + KEY_STEP * step[1]] });
   });
-  window.addEventListener("hashchange", async () => {
-    state = decode();
-    picture = await loadPicture(state.image).catch(() => picture);
-    show();
-  });
-  new ResizeObserver(() => show()).observe(element("panels"));
 }
 
 /** @param {Point} pixel of the photo's panel */
-function look([x, y]) {
+function fixate([x, y]) {
   const [width, height] = seen.frame.pixels;
   change({ fixation: toPlane(seen.frame, [Math.min(width, Math.max(0, x)), Math.min(height, Math.max(0, y))]) });
 }
@@ -171,32 +263,9 @@ function updateControls() {
   const image = /** @type {HTMLSelectElement} */ (element("choose-photo"));
   if (![...image.options].some(({ value }) => value === picture.id)) image.append(new Option(picture.title, picture.id));
   image.value = picture.id;
-  /** @type {HTMLSelectElement} */ (element("model")).value = state.model;
   /** @type {HTMLInputElement} */ (element("field-of-view")).value = String(state.fieldOfView);
   element("angle").textContent = `${state.fieldOfView}°`;
+  /** @type {HTMLSelectElement} */ (element("dots")).value = String(state.dots);
   element("lines").setAttribute("aria-pressed", String(state.lines));
-  element("source").textContent = `The model: ${models[state.model].source}.`;
-}
-
-function encode() {
-  const { image, model, fieldOfView, fixation, lines } = state;
-  const at = fixation.map((x) => x.toFixed(4)).join(",");
-  return `image=${image}&model=${model}&angle=${fieldOfView}&fixation=${at}&lines=${lines ? 1 : 0}`;
-}
-
-/** @returns {State} */
-function decode() {
-  const fields = new URLSearchParams(location.hash.slice(1));
-  const image = fields.get("image") ?? USUAL.image;
-  const model = fields.get("model") ?? USUAL.model;
-  const angle = Number(fields.get("angle") ?? USUAL.fieldOfView);
-  const at = (fields.get("fixation") ?? "").split(",").map(Number);
-  const usual = image === USUAL.image ? USUAL.fixation : /** @type {Point} */ ([0, 0]);
-  return {
-    image: image in photos ? image : USUAL.image,
-    model: model in models ? model : USUAL.model,
-    fieldOfView: angle >= 5 && angle <= 150 ? angle : USUAL.fieldOfView,
-    fixation: at.length === 2 && at.every(Number.isFinite) ? [at[0], at[1]] : usual,
-    lines: fields.get("lines") !== "0",
-  };
+  element("circles").setAttribute("aria-pressed", String(state.circles));
 }

@@ -1,62 +1,122 @@
-// The formulas for V1 that the page offers, each with its source.
+// The maps of V1 that the page offers, each with its source: formulas, and outlines that Symm's method maps.
 
 import { RetinoCorticalMap } from "../../pkg/index.js";
+import { deepPoint } from "../region/geometry.js";
 
+/** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../../pkg/index.js").CorticalModelOptions} ModelOptions */
 /** @typedef {import("../../pkg/index.js").Hemisphere} Hemisphere */
-/** @typedef {{ title: string, source: string, options: Omit<ModelOptions, "hemisphere"> }} Model */
+/** Where the blind spot lies on an outline, and which way the horizontal meridian runs there. @typedef {{ center: Point, direction: number }} Landmark */
+/** @typedef {{ kind: "formula", options: Omit<ModelOptions, "hemisphere"> }} Formula */
+/** In millimetres, of a left hemisphere; `fromFormula`: how far its formula has the blind spot from there. @typedef {{ kind: "outline", boundary: Point[], fromFormula?: number } & Landmark} Outline */
+/** All that makes a map, as plain data: the worker gets it too. @typedef {Formula | Outline} Spec */
+/** @typedef {"formulas" | "outlines, by Symm’s method"} Group */
+/** @typedef {{ title: string, group: Group, source: string, options?: Omit<ModelOptions, "hemisphere"> }} Model */
+
+const POLIMENI = { k: 15, a: 0.69, b: 80 };
+/** Mean areas of V1 in mm², as measured. */
+const HUMAN = 2643;
+const MACAQUE = 1343;
+export const MEASURED = `Measured: ${HUMAN} mm² in people on average, 1986 to 3477 (Adams, Sincich and Horton, 2007), ${MACAQUE} mm² in macaques (Sincich, Adams and Horton, 2003).`;
 
 /** Lengths in millimetres, eccentricities in degrees. @type {Record<string, Model>} */
 export const models = {
   schira: {
-    title: "Human, dipole",
-    source: "k = 18 mm, a = 1.05°, b = 90° (Schira and others, 2010)",
+    title: "Dipole of 2010",
+    group: "formulas",
+    source: "the dipole with k = 18 mm, a = 1.05°, b = 90° (Schira and others, 2010)",
     options: { k: 18, a: 1.05, b: 90 },
   },
   polimeni: {
-    title: "Human, dipole (2006)",
-    source: "k = 15 mm, a = 0.69°, b = 80° (Polimeni and others, 2006)",
-    options: { k: 15, a: 0.69, b: 80 },
+    title: "Dipole of 2006",
+    group: "formulas",
+    source: "the dipole with k = 15 mm, a = 0.69°, b = 80° (Polimeni and others, 2006)",
+    options: POLIMENI,
+  },
+  wedge: {
+    title: "Wedge-dipole",
+    group: "formulas",
+    source: "the dipole with k = 17.3 mm, a = 0.75°, b = 120° after a shear of the azimuths by α, fitted to human data with α = 0.95 (Polimeni and others, 2006); conformal for α = 1 only",
+    options: { k: 17.3, a: 0.75, b: 120 },
   },
   macaque: {
     title: "Macaque’s size, dipole",
-    source: "the dipole of 2006, scaled to 1343 mm², the mean area of macaque V1; a model, not a measurement",
-    options: { k: 15, a: 0.69, b: 80, area: 1343 },
+    group: "formulas",
+    source: "the dipole of 2006, scaled to macaques’ mean area, a model, not a measurement",
+    options: { ...POLIMENI, area: MACAQUE },
   },
   monopole: {
     title: "Monopole",
-    source: "k log((z + a)/a) with k = 15 mm, a = 0.69°: the complex logarithm, good near the fovea only",
+    group: "formulas",
+    source: "the monopole k log((z + a)/a) with k = 15 mm, a = 0.69°, near the fovea the dipole of 2006",
     options: { k: 15, a: 0.69 },
   },
+  human: {
+    title: "Human size, dipole’s outline",
+    group: "outlines, by Symm’s method",
+    source: "the outline of the dipole of 2006, scaled to people’s mean area, a model, not a measurement",
+    options: { ...POLIMENI, area: HUMAN },
+  },
+  monkey: {
+    title: "Macaque’s size, dipole’s outline",
+    group: "outlines, by Symm’s method",
+    source: "the outline of the dipole of 2006, scaled to macaques’ mean area, a model, not a measurement",
+    options: { ...POLIMENI, area: MACAQUE },
+  },
+  own: { title: "An outline of your own", group: "outlines, by Symm’s method", source: "your outline" },
 };
 
-/** The hemispheres in the order in which their halves of the field are seen. @type {Hemisphere[]} */
-export const HEMISPHERES = ["right", "left"];
+/** Vertices of the outlines that come with the page. */
+const VERTICES = 160;
+/** The blind spot: 15° temporal, 1.5° below. */
+const BLIND_SPOT = [15, -1.5];
+/** Degrees → the stereographic half disk, its radius taken for 90: a dipole's outline is a conformal image of that too, corner for corner. */
+const onDisk = (/** @type {number} */ x, /** @type {number} */ y) => {
+  const e = Math.hypot(x, y);
+  const scale = (90 * Math.tan((e * Math.PI) / 360)) / e;
+  return [x * scale, y * scale];
+};
 
-/** @param {string} name @param {Hemisphere} hemisphere */
-export function cortexOf(name, hemisphere) {
-  return RetinoCorticalMap.model({ ...models[name].options, hemisphere });
+/** @param {string} name */
+export const isOutline = (name) => models[name].group !== "formulas";
+
+/** @type {Map<string, Outline>} */
+const given = new Map();
+
+/** The outline of a formula, with the landmark where the corners of the field go to the outline’s. @param {string} name @returns {Outline} */
+export function outlineOf(name) {
+  const known = given.get(name);
+  if (known) return known;
+  const options = models[name].options ?? { ...POLIMENI, area: HUMAN };
+  const model = RetinoCorticalMap.model(options);
+  const [right, below] = BLIND_SPOT;
+  const [x, y, ahead, up] = model.toCortex(new Float64Array([...onDisk(right, below), ...onDisk(right + 1e-3, below)]));
+  const [u, v] = model.toCortex(new Float64Array(BLIND_SPOT));
+  model.free();
+  const flat = RetinoCorticalMap.modelOutline(options, name === "own" ? 80 : VERTICES);
+  /** @type {Point[]} */
+  const boundary = Array.from({ length: flat.length / 2 }, (_, k) => [flat[2 * k], flat[2 * k + 1]]);
+  /** @type {Outline} */
+  const outline = { kind: "outline", boundary, center: [x, y], direction: Math.atan2(up - y, ahead - x), fromFormula: Math.hypot(u - x, v - y) };
+  given.set(name, outline);
+  return outline;
 }
 
-/** A point of the visual field E·e^{iθ} → two numbers. @param {number} eccentricity in degrees @param {number} azimuth in radians @returns {[number, number]} */
-export const fieldPoint = (eccentricity, azimuth) => [eccentricity * Math.cos(azimuth), eccentricity * Math.sin(azimuth)];
+/** An outline that somebody gave, put where the page shows left hemispheres, with a landmark to begin with. @param {Point[]} boundary @returns {Outline} */
+export function ownOutline(boundary) {
+  const left = Math.min(...boundary.map(([x]) => x));
+  const ys = boundary.map(([, y]) => y);
+  const middle = (Math.min(...ys) + Math.max(...ys)) / 2;
+  const placed = boundary.map(([x, y]) => /** @type {Point} */ ([x - left, y - middle]));
+  return { kind: "outline", boundary: placed, center: deepPoint(placed), direction: 0 };
+}
 
 /**
- * Half of the size of both cortices, laid out with the foveas together at 0.
- * @param {string} name @returns {{ width: number, height: number }} in millimetres
+ * @param {string} name @param {{ shear: number, own: Outline | null, landmarks: Record<string, Landmark> }} state
+ * @returns {Spec}
  */
-export function halfSize(name) {
-  const map = cortexOf(name, "left");
-  const rim = [];
-  for (let k = 0; k <= 90; k++) {
-    rim.push(...fieldPoint(89.99, ((k - 45) / 45) * (Math.PI / 2 - 1e-6)), ...fieldPoint(k, Math.PI / 2 - 1e-6));
-  }
-  const points = map.toCortex(new Float64Array(rim));
-  map.free();
-  let [width, height] = [0, 0];
-  points.forEach((value, k) => {
-    if (k % 2 === 0) width = Math.max(width, Math.abs(value) || 0);
-    else height = Math.max(height, Math.abs(value) || 0);
-  });
-  return { width, height };
+export function specOf(name, { shear, own, landmarks }) {
+  if (isOutline(name)) return { ...((name === "own" && own) || outlineOf(name)), ...landmarks[name] };
+  const { options = POLIMENI } = models[name];
+  return { kind: "formula", options: name === "wedge" ? { ...options, shear } : options };
 }

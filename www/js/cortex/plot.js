@@ -3,13 +3,20 @@
 import { pathData, svg } from "../common/svg.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
+/** @typedef {{ kind: string, name: string, magnification: ArrayLike<number> }} Curve its style; in mm a degree at `eccentricities` */
 
-const [WIDTH, HEIGHT, LEFT, BOTTOM, MARGIN] = [420, 190, 46, 34, 10];
+const [WIDTH, HEIGHT, LEFT, BOTTOM, MARGIN] = [560, 330, 52, 46, 14];
 const [LOWEST_E, HIGHEST_E] = [0.1, 90];
-const [LOWEST_M, HIGHEST_M] = [0.02, 40];
+const [LOWEST_M, HIGHEST_M] = [0.03, 40];
+/** Lines with a number, and those without. */
+const NAMED_E = [0.1, 0.3, 1, 3, 10, 30, 90];
+const NAMED_M = [0.03, 0.1, 0.3, 1, 3, 10, 30];
 
-/** Eccentricities at which the curve is drawn. */
-export const eccentricities = Array.from({ length: 80 }, (_, k) => LOWEST_E * (HIGHEST_E / LOWEST_E) ** (k / 79));
+/** Eccentricities at which curves are drawn. */
+export const eccentricities = Array.from({ length: 120 }, (_, k) => LOWEST_E * (HIGHEST_E / LOWEST_E) ** (k / 119));
+
+/** The published curve of Horton and Hoyt (1991), in mm a degree. */
+export const hortonHoyt = eccentricities.map((e) => 17.3 / (e + 0.75));
 
 /** @param {number} eccentricity @param {number} magnification @returns {Point} */
 function place(eccentricity, magnification) {
@@ -18,21 +25,34 @@ function place(eccentricity, magnification) {
   return [LEFT + x * (WIDTH - LEFT - MARGIN), HEIGHT - BOTTOM - y * (HEIGHT - BOTTOM - MARGIN)];
 }
 
-/** @param {SVGSVGElement} root @param {ArrayLike<number>} magnification at `eccentricities`, in mm a degree */
-export function plotMagnification(root, magnification) {
+/** @param {SVGSVGElement} root @param {Curve[]} curves */
+export function plotMagnification(root, curves) {
   root.setAttribute("viewBox", `0 0 ${WIDTH} ${HEIGHT}`);
-  const curve = eccentricities.flatMap((e, k) => (magnification[k] > LOWEST_M ? [place(e, magnification[k])] : []));
   root.replaceChildren(
-    ...[0.1, 1, 10].flatMap((e) => tick(`${e}°`, place(e, LOWEST_M), place(e, HIGHEST_M), "middle")),
-    ...[0.1, 1, 10].flatMap((m) => tick(String(m), place(LOWEST_E, m), place(HIGHEST_E, m), "end")),
-    svg("path", { class: "curve", d: pathData(curve, false) }),
+    ...NAMED_E.flatMap((e) => tick(`${e}°`, place(e, LOWEST_M), place(e, HIGHEST_M), "middle")),
+    ...NAMED_M.flatMap((m) => tick(String(m), place(LOWEST_E, m), place(HIGHEST_E, m), "end")),
+    label("distance from the fixation point", { x: (LEFT + WIDTH - MARGIN) / 2, y: HEIGHT - 6, "text-anchor": "middle" }),
+    label("mm of cortex a degree", { x: 0, y: 0, "text-anchor": "middle", transform: `translate(12 ${(HEIGHT - BOTTOM + MARGIN) / 2}) rotate(-90)` }),
+    ...curves.map(({ kind, magnification }) => {
+      const points = eccentricities.flatMap((e, k) => (magnification[k] > LOWEST_M ? [place(e, magnification[k])] : []));
+      return svg("path", { class: `curve ${kind}`, d: pathData(points, false) });
+    }),
+    ...curves.flatMap(({ kind, name }, k) => {
+      const [x, y] = [LEFT + 14, HEIGHT - BOTTOM - 16 - 20 * (curves.length - 1 - k)];
+      return [svg("path", { class: `curve ${kind}`, d: `M${x} ${y}h26` }), label(name, { x: x + 34, y: y + 4, class: "key" })];
+    }),
   );
+}
+
+/** @param {string} words @param {Record<string, string | number>} attributes */
+function label(words, attributes) {
+  const text = svg("text", attributes);
+  text.textContent = words;
+  return text;
 }
 
 /** @param {string} name @param {Point} from @param {Point} to @param {"middle" | "end"} anchor */
 function tick(name, from, to, anchor) {
   const [dx, dy] = anchor === "middle" ? [0, 18] : [-7, 4];
-  const text = svg("text", { x: from[0] + dx, y: from[1] + dy, "text-anchor": anchor });
-  text.textContent = name;
-  return [svg("path", { class: "tick", d: pathData([from, to], false) }), text];
+  return [svg("path", { class: "tick", d: pathData([from, to], false) }), label(name, { x: from[0] + dx, y: from[1] + dy, "text-anchor": anchor })];
 }

@@ -1,0 +1,149 @@
+// One panel of the cortex: which map it shows, where that comes from, and how to change it.
+
+import { toPlane } from "../common/frame.js";
+import { pixelOf } from "../common/svg.js";
+import { Pen } from "../region/draw.js";
+import { isOutline, MEASURED, models } from "./models.js";
+import { CortexView } from "./views.js";
+
+/** @typedef {import("../common/frame.js").Point} Point */
+/** @typedef {import("./eye.js").Eye} Eye */
+/** @typedef {import("./models.js").Landmark} Landmark */
+/** @typedef {import("./state.js").State} State */
+/**
+ * What a panel asks of the page.
+ * @typedef {object} Wishes
+ * @property {(name: string) => void} choose
+ * @property {(shear: number) => void} shear
+ * @property {(name: string, landmark: Landmark) => void} place
+ * @property {(outline: Point[]) => void} draw
+ * @property {() => void} read an outline from text
+ * @property {(event: PointerEvent | null) => void} point
+ */
+
+/** Steps of the arrow keys: in mm, in radians. */
+const [STEP, TURN] = [0.5, 0.03];
+
+export class CortexPanel {
+  view;
+  #figure;
+  #wishes;
+  #pen;
+  #name = "";
+  /** @type {Landmark | null} */
+  #landmark = null;
+
+  /** @param {HTMLElement} figure made from the page's template @param {string} label @param {Wishes} wishes */
+  constructor(figure, label, wishes) {
+    this.#figure = figure;
+    this.#wishes = wishes;
+    this.view = new CortexView(this.#part("canvas"), this.#part("svg"));
+    const choice = /** @type {HTMLSelectElement} */ (this.#part("select"));
+    choice.setAttribute("aria-label", label);
+    const groups = Object.groupBy(Object.entries(models), ([, { group }]) => group);
+    for (const [title, members] of Object.entries(groups)) {
+      const group = Object.assign(document.createElement("optgroup"), { label: title });
+      group.append(...(members ?? []).map(([name, model]) => new Option(model.title, name)));
+      choice.append(group);
+    }
+    choice.onchange = () => wishes.choose(choice.value);
+    const shear = /** @type {HTMLInputElement} */ (this.#part(".shear input"));
+    shear.oninput = () => wishes.shear(Number(shear.value));
+    this.#pen = this.#makePen();
+    this.#part(".draw").onclick = () => this.#pen.begin();
+    this.#part(".read").onclick = () => wishes.read();
+    this.#followLandmark();
+    this.view.root.addEventListener("pointermove", (event) => wishes.point(event));
+    this.view.root.addEventListener("pointerleave", () => wishes.point(null));
+  }
+
+  /** @param {string} selector @returns {any} the element, of whatever kind the template has there */
+  #part(selector) {
+    return this.#figure.querySelector(selector);
+  }
+
+  /** The pen of the region's page, whose outlines go to the page here. */
+  #makePen() {
+    const { root } = this.view;
+    const store = {
+      mode: "edit",
+      /** @param {string} mode */
+      setMode(mode) {
+        this.mode = mode;
+        root.classList.toggle("drawing", mode === "draw");
+      },
+      /** @param {{ region: { boundary: Point[] } }} changes */
+      commit: ({ region }) => this.#wishes.draw(region.boundary),
+    };
+    return new Pen(/** @type {any} */ (store), /** @type {any} */ (this.view));
+  }
+
+  #followLandmark() {
+    const { root } = this.view;
+    /** @type {string | undefined} */
+    let part;
+    root.addEventListener("pointerdown", (event) => {
+      part = event.target instanceof SVGElement ? event.target.dataset.part : undefined;
+      if (part) root.setPointerCapture(event.pointerId);
+    });
+    root.addEventListener("pointermove", (event) => {
+      if (!part || !root.hasPointerCapture(event.pointerId) || !this.#landmark) return;
+      const at = toPlane(this.view.frame, pixelOf(root, event));
+      const { center, direction } = this.#landmark;
+      if (part === "center") this.#wishes.place(this.#name, { center: at, direction });
+      else this.#wishes.place(this.#name, { center, direction: Math.atan2(at[1] - center[1], at[0] - center[0]) });
+    });
+    for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) root.addEventListener(end, () => (part = undefined));
+    root.addEventListener("keydown", (event) => {
+      const handle = event.target instanceof SVGElement ? event.target.dataset.part : undefined;
+      /** @type {Record<string, Point>} */
+      const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+      const step = steps[event.key];
+      if (!handle || !step || !this.#landmark) return;
+      event.preventDefault();
+      const { center, direction } = this.#landmark;
+      const moved = handle === "center" ? { center: /** @type {Point} */ ([center[0] + STEP * step[0], center[1] + STEP * step[1]]), direction } : { center, direction: direction + TURN * (step[1] - step[0]) };
+      this.#wishes.place(this.#name, moved);
+    });
+  }
+
+  /** The panel's own controls. @param {string} name @param {State} state @param {Landmark | null} landmark */
+  update(name, { shear }, landmark) {
+    this.#name = name;
+    this.#landmark = landmark;
+    this.#part("select").value = name;
+    this.#part(".shear").hidden = name !== "wedge";
+    const slider = /** @type {HTMLInputElement} */ (this.#part(".shear input"));
+    slider.value = String(shear);
+    this.#part(".shear output").textContent = `α = ${shear.toFixed(2)}`;
+    this.#part(".edit").hidden = name !== "own";
+    this.#part(".tools").hidden = name !== "wedge" && name !== "own";
+  }
+
+  /** Where the map comes from, and what it says of itself. @param {Eye} eye @param {number} [fromFormula] how far the outline’s formula has the blind spot from the landmark, in mm */
+  explain(eye, fromFormula) {
+    const { source } = models[this.#name];
+    const area = `${Math.round(eye.area)} mm² a hemisphere`;
+    const sentences = [`${isOutline(this.#name) ? "Symm’s map of " : ""}${source}; ${area}.`];
+    sentences[0] = sentences[0][0].toUpperCase() + sentences[0].slice(1);
+    if (eye.landmarkError) {
+      const [distance, angle] = eye.landmarkError;
+      sentences.push(`The blind spot lands ${power(distance)} mm from its place, its meridian ${power(angle)} radians from its direction.`);
+    }
+    if (fromFormula) sentences.push(`The dipole itself, which takes the sphere for a plane, has it ${fromFormula.toFixed(1)} mm further out.`);
+    this.#part(".note").textContent = sentences.join(" ");
+    this.#part(".note").title = MEASURED;
+  }
+
+  /** @param {string} words what keeps it from being drawn */
+  refuse(words) {
+    this.#part(".note").textContent = words;
+    this.#figure.classList.toggle("refused", words !== "");
+  }
+}
+
+/** 0.000000002 → "2·10⁻⁹". @param {number} value */
+function power(value) {
+  const [digits, exponent] = value.toExponential(0).split("e");
+  return `${digits}·10${[...exponent].map((sign) => ({ "-": "⁻", "+": "" })[sign] ?? "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)]).join("")}`;
+}
