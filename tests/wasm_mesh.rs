@@ -51,15 +51,17 @@ fn a_mesh_is_two_copies_of_its_nodes() {
         mesh.validate().unwrap();
         assert!(property(&mesh.evidence().unwrap().js_value(), "largestError").as_f64().unwrap() > 0.0);
 
-        let copy = JointTriangulation::from_parts(&source, &target, &triangles).unwrap();
+        let copy = JointTriangulation::from_parts(&source, &target, &triangles, Some(mesh.magnification())).unwrap();
         assert_eq!(copy.triangles(), triangles);
+        assert_eq!(copy.magnification(), mesh.magnification());
     }
 }
 
 #[wasm_bindgen_test]
 fn its_arrays_must_fit() {
     let code = |source: &[f64], triangles: &[u32]| {
-        let failure = JointTriangulation::from_parts(source, &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0], triangles).unwrap_err();
+        let failure =
+            JointTriangulation::from_parts(source, &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0], triangles, None).unwrap_err();
         property(&failure.into(), "code").as_string().unwrap()
     };
     assert_eq!(code(&[0.0; 5], &[0, 1, 2]), "wrong-length");

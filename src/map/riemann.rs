@@ -100,6 +100,15 @@ impl RiemannMap {
         angle_of_measure(self.solution.measure_at(point) - self.toward_measure)
     }
 
+    /// [`RiemannMap::boundary_angle`] in [0, 2π], rising all the way from `toward` round to it: rounding never carries a
+    /// point across.
+    pub(crate) fn angle_from_toward(&self, point: BoundaryPoint) -> f64 {
+        let toward = self.region.toward();
+        let before = (point.edge, point.t) < (toward.edge, toward.t);
+        let measure = self.solution.measure_at(point) - self.toward_measure + if before { 1.0 } else { 0.0 };
+        TAU * measure.clamp(0.0, 1.0)
+    }
+
     /// Angle on the circle → boundary of the region; the inverse of [`RiemannMap::boundary_angle`].
     #[must_use]
     pub fn boundary_point(&self, angle: f64) -> BoundaryPoint {

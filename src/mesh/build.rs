@@ -1,14 +1,14 @@
 //! Regions and options → joint triangulation.
 
-use super::density::{Middles, first_spacing};
+use super::correspondence::{Correspondence, OntoDisk};
+use super::density::first_spacing;
 use super::draft::Draft;
 use super::locate::Located;
 use super::options::{Density, MeshOptions, Route};
-use super::side::{Side, UnitDisk};
 use super::{JointTriangulation, net, scan};
-use crate::map::RiemannMap;
+use crate::Result;
+use crate::map::{RegionMap, RiemannMap};
 use crate::plane::{Complex64, Polygon};
-use crate::{Error, Result};
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
@@ -38,14 +38,7 @@ impl JointTriangulation {
     /// # Errors
     /// [`crate::Error::InvalidOption`], and [`crate::Error::Crowded`] where double precision cannot keep nodes apart.
     pub fn region_to_disk(map: &RiemannMap, options: &MeshOptions) -> Result<Self> {
-        between(map, &UnitDisk, options)
-    }
-
-    /// How far the nodes of the target are from where the maps put those of the source.
-    fn largest_difference(&self, from: &dyn Side, to: &dyn Side) -> f64 {
-        let exact = to.to_region(&from.to_disk(&self.source));
-        let distances = exact.iter().zip(&self.target).map(|(z, w)| (z - w).norm());
-        distances.filter(|distance| distance.is_finite()).fold(0.0, f64::max)
+        between(&OntoDisk(map), options)
     }
 
     /// Region → region through the disk: center goes to center, `toward` to `toward`, and each outline to the other.
@@ -59,58 +52,71 @@ impl JointTriangulation {
             Density::Spacing(spacing) => spacing * (target / source).sqrt(),
             Density::MaxError { .. } => target.sqrt() / 60.0,
         };
+        let exact = RegionMap::between(from, to);
         match options.route {
-            Route::Exact => between(from, to, options),
+            Route::Exact => between(&exact, options),
             Route::Located => {
-                let located = Located::sampled(to, spacing)?;
-                let mut mesh = between(from, &located, options)?;
-                mesh.evidence.route_difference = mesh.largest_difference(from, to);
+                let mut draft = chosen(&exact, options)?;
+                draft.relocate(&Located::sampled(&exact, spacing)?)?;
+                let mut mesh = draft.finish()?;
+                mesh.evidence.route_difference = mesh.largest_difference(&exact);
                 Ok(mesh)
             }
         }
     }
-}
 
-/// Source → target by the paper's method "with boundaries", for any two copies. Where the target has pockets that the
-/// source cannot show, the target is triangulated first instead.
-pub(super) fn between(source: &dyn Side, target: &dyn Side, options: &MeshOptions) -> Result<JointTriangulation> {
-    options.check()?;
-    match build(source, target, options) {
-        Err(Error::Crowded { at }) => match build(target, source, options) {
-            Ok(mesh) => Ok(mesh.inverse()),
-            Err(_) => Err(Error::Crowded { at }),
-        },
-        other => other,
+    /// How far the nodes of the target are from where the map puts those of the source.
+    fn largest_difference(&self, map: &RegionMap) -> f64 {
+        let distances = map.forward(&self.source).into_iter().zip(&self.target).map(|(z, w)| (z - w).norm());
+        distances.filter(|distance| distance.is_finite()).fold(0.0, f64::max)
     }
 }
 
-fn build(source: &dyn Side, target: &dyn Side, options: &MeshOptions) -> Result<JointTriangulation> {
-    let area = source.polygon().map_or(PI, Polygon::area);
-    let mut middles = Middles::default();
-    let mut draft;
+/// Source → target by the paper's method "with boundaries", for any two copies.
+pub(super) fn between(map: &dyn Correspondence, options: &MeshOptions) -> Result<JointTriangulation> {
+    let mut draft = chosen(map, options)?;
+    draft.connect_valid(map)?;
+    draft.finish()
+}
+
+/// The nodes that the options ask for.
+fn chosen<'a>(map: &'a dyn Correspondence, options: &MeshOptions) -> Result<Draft<'a>> {
+    options.check()?;
     match options.density {
-        Density::Spacing(spacing) => draft = Draft::sampled(source, target, spacing)?,
+        Density::Spacing(spacing) => Draft::sampled(map, spacing),
         Density::MaxError { pixels, frame } => {
-            draft = Draft::sampled(source, target, first_spacing(area))?;
-            draft.refine_to(pixels * frame.pixel_size(), &mut middles)?;
+            let area = map.copies()[0].polygon().map_or(PI, Polygon::area);
+            let mut draft = Draft::sampled(map, first_spacing(area))?;
+            draft.evidence.pixel_size = Some(frame.pixel_size());
+            draft.refine_to(pixels * frame.pixel_size())?;
+            Ok(draft)
         }
     }
-    draft.connect_valid()?;
-    draft.evidence.largest_error = draft.largest_error(&mut middles);
-    Ok(draft.finish())
 }
 
 impl<'a> Draft<'a> {
     /// The refined boundary and the source's interior samples: the paper's grid, through the center so that it is a node.
-    fn sampled(source: &'a dyn Side, target: &'a dyn Side, spacing: f64) -> Result<Self> {
-        let mut draft = Self::new(source, target, spacing)?;
+    fn sampled(map: &'a dyn Correspondence, spacing: f64) -> Result<Self> {
+        let mut draft = Self::new(map, spacing)?;
+        let [source, _] = map.copies();
         if let Some(polygon) = source.polygon() {
             let samples = scan::fill(polygon, source.center(), spacing, CLEARANCE * spacing)?;
-            draft.add_inner(&samples);
-            let angles: Vec<_> = draft.ring.iter().map(|(_, node)| node.angle).collect();
+            draft.add_inner(&samples, map);
+            let angles: Vec<_> = draft.ring.iter().map(|(_, node)| source.angle(node.source)).collect();
             draft.add_net(&net::over(&angles, draft.trust()), spacing);
         }
         Ok(draft)
+    }
+
+    /// Puts the inner nodes where another map says, and connects them.
+    fn relocate(&mut self, map: &dyn Correspondence) -> Result<()> {
+        let places = map.forward(&self.source);
+        for k in (0..self.source.len()).filter(|&k| self.places[k].is_none()) {
+            if self.outlines[1].depth(places[k]) > 0.0 {
+                self.target[k] = places[k];
+            }
+        }
+        self.connect_valid(map)
     }
 
     /// Adds points of the disk with their places in both copies, except those that samples `spacing` apart stand in for.
@@ -123,23 +129,18 @@ impl<'a> Draft<'a> {
                 .flat_map(|i| (j - 1..=j + 1).map(move |j| [i, j]))
                 .any(|cell| samples.get(&cell).is_some_and(|sample| (sample - z).norm() < reach))
         };
-        let [source, target] = self.sides.map(|side| side.to_region(points));
-        let pairs: Vec<_> = source
-            .into_iter()
-            .zip(target)
-            .filter(|(z, _)| {
-                let depth = self.outlines[0].depth(*z);
-                depth < spacing && !near(*z, APART * depth)
-            })
-            .collect();
-        self.add_pairs(&pairs);
+        let mut places = self.map.undo_disk(points);
+        places.retain(|&z| {
+            let depth = self.outlines[0].depth(z);
+            depth < spacing && !near(z, APART * depth)
+        });
+        self.add_inner(&places, self.map);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::side::UnitDisk;
-    use super::super::star::Star;
+    use super::super::star::{Star, StarOntoDisk, Stars};
     use super::*;
     use crate::plane::{Complex64, Frame};
 
@@ -163,11 +164,10 @@ mod tests {
         let frame = Frame::new(Complex64::ZERO, 2.0, [200, 200]).unwrap();
         for options in [MeshOptions::with_spacing(0.1), MeshOptions::quarter_pixel(frame)] {
             for (source, target) in [(&square, &star), (&star, &square)] {
-                for target in [target as &dyn Side, &UnitDisk] {
-                    let mesh = between(source, target, &options).unwrap();
+                for map in [&Stars(source, target) as &dyn Correspondence, &StarOntoDisk(source)] {
+                    let mesh = between(map, &options).unwrap();
                     mesh.validate().unwrap();
                     assert_eq!(mesh.flipped(), 0);
-                    println!("{} nodes, {:?}", mesh.source().len(), mesh.evidence());
                 }
             }
         }

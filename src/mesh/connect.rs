@@ -18,9 +18,14 @@ type Edge<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), CdtEdge<()>, ()>;
 /// # Errors
 /// [`Error::Crowded`] if the curve crosses itself, or two points fall together, once rounded.
 pub(super) fn connect(points: &[Complex64], ring: &[u32]) -> Result<Vec<[u32; 3]>> {
+    let edges = (0..ring.len()).map(|k| [ring[k] as usize, ring[(k + 1) % ring.len()] as usize]).collect();
+    triangulate(points, edges)
+}
+
+/// The same for any `edges` that must be there, those of the outline among them.
+pub(super) fn triangulate(points: &[Complex64], edges: Vec<[usize; 2]>) -> Result<Vec<[u32; 3]>> {
     let scaling = Scaling::of(points);
     let positions: Vec<_> = points.iter().map(|&z| scaling.apply(z)).collect();
-    let edges = (0..ring.len()).map(|k| [ring[k] as usize, ring[(k + 1) % ring.len()] as usize]).collect();
     let mut crossing = None;
     let cdt = Cdt::try_bulk_load_cdt(positions, edges, |[from, _]| crossing = Some(from))
         .map_err(|_| Error::Crowded { at: points[0] })?;

@@ -6,8 +6,14 @@ use crate::Result;
 use crate::plane::Complex64;
 use std::collections::HashMap;
 
-/// Each round halves the edges that are too long, so that this many reach 2^-24 of the first spacing.
-const MOST_ROUNDS: usize = 24;
+/// Each round halves edges that are too long where they are longer, so that this many reach 2^-40 of the first spacing.
+const MOST_ROUNDS: usize = 40;
+/// More nodes than this are not made; the largest error then says what is missing.
+const MOST_NODES: usize = 400_000;
+/// Cosine of the largest angle that an inner node may see a boundary edge under.
+const WIDEST: f64 = -0.5;
+/// Pieces shorter than this share of the source's outline show one colour, whatever their place in the target.
+const ONE_COLOUR: f64 = 1e-10;
 /// The first, coarse grid has about this many samples across a region.
 const COARSE: f64 = 10.0;
 
@@ -37,12 +43,12 @@ pub(super) struct Middles {
 impl Draft<'_> {
     /// Adds nodes until the map is within `bound` (plane units of the target) of its affine pieces, at the middles of
     /// edges and triangles.
-    pub(super) fn refine_to(&mut self, bound: f64, middles: &mut Middles) -> Result<()> {
+    pub(super) fn refine_to(&mut self, bound: f64) -> Result<()> {
         for _ in 0..MOST_ROUNDS {
             self.connect()?;
             let pieces = self.pieces();
-            self.evaluate(&pieces, middles);
-            if self.add_where(&pieces, middles, bound) == 0 {
+            self.evaluate(&pieces);
+            if self.add_where(&pieces, bound) == 0 || self.source.len() > MOST_NODES {
                 break;
             }
         }
@@ -50,10 +56,10 @@ impl Draft<'_> {
     }
 
     /// The largest distance, in plane units of the target, between the map and its affine pieces.
-    pub(super) fn largest_error(&self, middles: &mut Middles) -> f64 {
+    pub(super) fn largest_error(&mut self) -> f64 {
         let pieces = self.pieces();
-        self.evaluate(&pieces, middles);
-        pieces.iter().map(|&piece| self.error(piece, middles)).fold(0.0, f64::max)
+        self.evaluate(&pieces);
+        pieces.iter().map(|&piece| self.error(piece)).fold(0.0, f64::max)
     }
 
     fn pieces(&self) -> Vec<Piece> {
@@ -73,7 +79,8 @@ impl Draft<'_> {
     }
 
     /// Computes the middles that are not known yet.
-    fn evaluate(&self, pieces: &[Piece], middles: &mut Middles) {
+    fn evaluate(&mut self, pieces: &[Piece]) {
+        let mut middles = std::mem::take(&mut self.middles);
         let mut new = Vec::new();
         for &piece in pieces {
             match piece {
@@ -88,16 +95,20 @@ impl Draft<'_> {
             }
         }
         let points: Vec<_> = new.iter().map(|&piece| mean(&self.source, piece)).collect();
-        middles.inner.extend(new.into_iter().zip(self.forward(&points)));
+        middles.inner.extend(new.into_iter().zip(self.map.forward(&points)));
+        self.middles = middles;
     }
 
-    /// How far the map is from the affine piece at its middle; 0 where the map has no value there.
-    fn error(&self, piece: Piece, middles: &Middles) -> f64 {
+    /// How far the map is from the affine piece at its middle; 0 where the map has no value, or one colour, there.
+    fn error(&self, piece: Piece) -> f64 {
+        if self.has_one_colour(piece) {
+            return 0.0;
+        }
         let Piece::Boundary(p, q) = piece else {
-            let distance = (middles.inner[&piece] - mean(&self.target, piece)).norm();
+            let distance = (self.middles.inner[&piece] - mean(&self.target, piece)).norm();
             return if distance.is_finite() { distance } else { 0.0 };
         };
-        let Some(middle) = middles.boundary[&piece] else { return 0.0 };
+        let Some(middle) = self.middles.boundary[&piece] else { return 0.0 };
         let at = |points: &[Complex64], k: u32| points[k as usize];
         let share =
             (middle.source.point - at(&self.source, p)).norm() / (at(&self.source, q) - at(&self.source, p)).norm();
@@ -105,25 +116,84 @@ impl Draft<'_> {
         (middle.target.point - affine).norm()
     }
 
+    fn has_one_colour(&self, piece: Piece) -> bool {
+        let at = |k: u32| self.source[k as usize];
+        let length = ONE_COLOUR * self.outlines[0].length();
+        match piece {
+            Piece::Edge(p, q) | Piece::Boundary(p, q) => (at(p) - at(q)).norm() < length,
+            Piece::Triangle([a, b, c]) => {
+                [(a, b), (b, c), (c, a)].iter().all(|&(p, q)| (at(p) - at(q)).norm() < length)
+            }
+        }
+    }
+
     /// Adds the middles of edges that are off by more than `bound`, and of triangles whose edges are all good.
-    fn add_where(&mut self, pieces: &[Piece], middles: &Middles, bound: f64) -> usize {
+    fn add_where(&mut self, pieces: &[Piece], bound: f64) -> usize {
         let off: HashMap<Piece, ()> =
-            pieces.iter().filter(|&&piece| self.error(piece, middles) > bound).map(|&piece| (piece, ())).collect();
+            pieces.iter().filter(|&&piece| self.error(piece) > bound).map(|&piece| (piece, ())).collect();
         let edge_off = |p: u32, q: u32| {
             off.contains_key(&Piece::Edge(p.min(q), p.max(q))) || off.contains_key(&Piece::Boundary(p, q))
         };
         let mut starts = Vec::new();
-        let mut nodes = Vec::new();
+        let mut split = Vec::new();
         for &piece in off.keys() {
             match piece {
                 Piece::Boundary(p, _) => starts.push(p),
                 Piece::Triangle([a, b, c]) if edge_off(a, b) || edge_off(b, c) || edge_off(c, a) => {}
-                _ => nodes.push((mean(&self.source, piece), middles.inner[&piece])),
+                _ => split.push(piece),
             }
         }
+        let mut nodes = self.middles_where_longer(&split);
+        nodes.retain(|&(z, w)| match self.crowded_edge(z, w) {
+            Some(start) => {
+                starts.push(start);
+                false
+            }
+            None => true,
+        });
         nodes.sort_by(|(p, _), (q, _)| (p.re, p.im).partial_cmp(&(q.re, q.im)).unwrap_or(std::cmp::Ordering::Equal));
         starts.sort_unstable();
+        starts.dedup();
         self.add_pairs(&nodes) + self.split_boundary(&starts)
+    }
+
+    /// The first node of a boundary edge that an inner node would be too close to, in either copy (Ruppert's rule): it is to
+    /// be split instead.
+    fn crowded_edge(&self, z: Complex64, w: Complex64) -> Option<u32> {
+        [z, w].into_iter().enumerate().find_map(|(copy, z)| {
+            let points = if copy == 0 { &self.source } else { &self.target };
+            let nearest = self.outlines[copy].nearest(z)?;
+            let s = self.outlines[copy].distance(nearest);
+            let place = |node: &RingNode| if copy == 0 { node.source } else { node.target };
+            let after = self.ring.partition_point(|(_, node)| self.outlines[copy].distance(place(node)) <= s);
+            let [a, b] = [after.max(1) - 1, after % self.ring.len()].map(|k| self.ring[k].0);
+            let [u, v] = [points[a as usize] - z, points[b as usize] - z];
+            ((u.conj() * v).re < WIDEST * u.norm() * v.norm()).then_some(a)
+        })
+    }
+
+    /// The middle of each piece in the copy where it is longer, and its place in the other one. Towards a corner that the
+    /// map opens or closes, that halves the error; the middle in the shorter copy hardly changes it.
+    fn middles_where_longer(&self, pieces: &[Piece]) -> Vec<(Complex64, Complex64)> {
+        let [from, to] = self.sizes();
+        let longer_in_target = |piece: &Piece| extent(&self.target, *piece) / to > extent(&self.source, *piece) / from;
+        let (there, here): (Vec<_>, Vec<_>) = pieces.iter().copied().partition(longer_in_target);
+        let places: Vec<_> = there.iter().map(|&piece| mean(&self.target, piece)).collect();
+        let pair_of_source = |piece: Piece| (mean(&self.source, piece), self.middles.inner[&piece]);
+        let of_target = there.iter().zip(self.map.backward(&places)).zip(places).map(|((&piece, z), w)| {
+            // Beside a re-entrant corner the middle may lie outside the region.
+            if z.is_finite() { (z, w) } else { pair_of_source(piece) }
+        });
+        of_target.chain(here.into_iter().map(pair_of_source)).collect()
+    }
+}
+
+/// Length of a piece's longest edge in one copy.
+fn extent(points: &[Complex64], piece: Piece) -> f64 {
+    let length = |p: u32, q: u32| (points[p as usize] - points[q as usize]).norm();
+    match piece {
+        Piece::Edge(p, q) | Piece::Boundary(p, q) => length(p, q),
+        Piece::Triangle([a, b, c]) => length(a, b).max(length(b, c)).max(length(c, a)),
     }
 }
 

@@ -1,15 +1,22 @@
 //! A joint triangulation in the making: nodes are added in pairs, then connected anew.
 
 use super::connect::connect;
+use super::correspondence::Correspondence;
+use super::density::Middles;
 use super::joint::{Evidence, JointTriangulation, Shape};
+use super::quality;
 use super::ring::{Ring, RingNode};
-use super::side::{Outline, Side};
+use super::side::Outline;
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64};
+use std::collections::HashSet;
+
+/// Inner nodes are farther from an outline than this share of its length.
+const LEAST_DEPTH: f64 = 1e-13;
 
 /// Nodes of both copies, the ring of those on the boundary, and the triangles over them.
 pub(super) struct Draft<'a> {
-    pub(super) sides: [&'a dyn Side; 2],
+    pub(super) map: &'a dyn Correspondence,
     pub(super) outlines: [Outline<'a>; 2],
     pub(super) source: Vec<Complex64>,
     pub(super) target: Vec<Complex64>,
@@ -19,43 +26,45 @@ pub(super) struct Draft<'a> {
     pub(super) places: Vec<Option<RingNode>>,
     pub(super) triangles: Vec<[u32; 3]>,
     pub(super) evidence: Evidence,
+    pub(super) middles: Middles,
+    /// Where inner nodes of the source are, as bits: two middles may fall together.
+    taken: HashSet<[u64; 2]>,
 }
 
 impl<'a> Draft<'a> {
     /// The refined boundary, and `samples` of the source's interior with their images.
-    pub(super) fn new(source: &'a dyn Side, target: &'a dyn Side, spacing: f64) -> Result<Self> {
-        let ring = Ring::new(source, target, spacing)?;
+    pub(super) fn new(map: &'a dyn Correspondence, spacing: f64) -> Result<Self> {
+        let ring = Ring::new(map, spacing)?;
         let evidence = Evidence { moved: ring.moved, ..Evidence::default() };
         Ok(Self {
-            sides: [source, target],
-            outlines: [Outline::new(source), Outline::new(target)],
+            map,
+            outlines: map.copies().map(Outline::new),
             source: ring.nodes.iter().map(|n| n.source.point).collect(),
             target: ring.nodes.iter().map(|n| n.target.point).collect(),
             places: ring.nodes.iter().copied().map(Some).collect(),
             ring: ring.nodes.into_iter().enumerate().map(|(k, node)| (k as u32, node)).collect(),
             triangles: Vec::new(),
             evidence,
+            middles: Middles::default(),
+            taken: HashSet::new(),
         })
     }
 
-    /// Source → target, through the disk. NaN where a map is not defined.
-    pub(super) fn forward(&self, points: &[Complex64]) -> Vec<Complex64> {
-        self.sides[1].to_region(&self.sides[0].to_disk(points))
-    }
-
-    /// Adds inner points of the source with their images; returns how many had one.
-    pub(super) fn add_inner(&mut self, points: &[Complex64]) -> usize {
-        let pairs: Vec<_> = points.iter().copied().zip(self.forward(points)).collect();
+    /// Adds inner points of the source with their images under `map`; returns how many had one.
+    pub(super) fn add_inner(&mut self, points: &[Complex64], map: &dyn Correspondence) -> usize {
+        let pairs: Vec<_> = points.iter().copied().zip(map.forward(points)).collect();
         self.add_pairs(&pairs)
     }
 
     /// Adds inner nodes (source, target); returns how many. Not those that a map had no value for, nor those so close
-    /// to an outline that the maps cannot say on which side of its nodes they are.
+    /// to an outline that rounding decides on which side of its edges they are.
     pub(super) fn add_pairs(&mut self, pairs: &[(Complex64, Complex64)]) -> usize {
         let before = self.source.len();
         let [source, target] = &self.outlines;
         for &(z, w) in pairs {
-            if source.depth(z) > self.trust() * source.length() && target.depth(w) > self.trust() * target.length() {
+            let inside =
+                source.depth(z) > LEAST_DEPTH * source.length() && target.depth(w) > LEAST_DEPTH * target.length();
+            if inside && self.taken.insert([z.re.to_bits(), z.im.to_bits()]) {
                 self.source.push(z);
                 self.target.push(w);
             }
@@ -113,28 +122,29 @@ impl<'a> Draft<'a> {
             s > from + margin && s < to - margin
         };
         let node = if (a_to - a_from) / source.length() >= (b_to - b_from) / target.length() {
-            let angle = self.sides[0].angle(a);
-            let image = self.sides[1].at_angle(angle);
-            RingNode { source: a, target: if strictly_between(target, image, b_from, b_to) { image } else { b }, angle }
+            let image = self.map.boundary_forward(a);
+            RingNode { source: a, target: if strictly_between(target, image, b_from, b_to) { image } else { b } }
         } else {
-            let angle = self.sides[1].angle(b);
-            let image = self.sides[0].at_angle(angle);
-            RingNode { source: if strictly_between(source, image, a_from, a_to) { image } else { a }, target: b, angle }
+            let image = self.map.boundary_backward(b);
+            RingNode { source: if strictly_between(source, image, a_from, a_to) { image } else { a }, target: b }
         };
         let ends = [(p.source, q.source, node.source), (p.target, q.target, node.target)];
         ends.iter().all(|(p, q, m)| m.point != p.point && m.point != q.point).then_some(node)
     }
 
-    /// Connects the nodes anew: a constrained Delaunay triangulation of the source.
+    /// Connects the nodes anew: a constrained Delaunay triangulation of the source, without triangles that only rounding
+    /// made.
     pub(super) fn connect(&mut self) -> Result<()> {
         let ring: Vec<u32> = self.ring.iter().map(|(id, _)| *id).collect();
         self.triangles = connect(&self.source, &ring)?;
+        self.flip_flat();
         Ok(())
     }
 
     /// What the maps can tell apart, in units of the disk.
     pub(super) fn trust(&self) -> f64 {
-        self.sides[0].error().max(self.sides[1].error())
+        let [source, target] = self.map.copies();
+        source.error().max(target.error())
     }
 
     /// Size of each copy: what lengths are compared with.
@@ -142,19 +152,23 @@ impl<'a> Draft<'a> {
         [self.outlines[0].length(), self.outlines[1].length()]
     }
 
-    pub(super) fn finish(self) -> JointTriangulation {
+    pub(super) fn finish(mut self) -> Result<JointTriangulation> {
+        self.evidence.largest_error = self.largest_error();
+        let exact = self.map.magnification(&self.source);
         let shape = |outline: &Outline| match outline.straight() {
             Some(polygon) => Shape::Polygon(polygon.clone()),
             None if outline.is_polygon() => Shape::Curve,
             None => Shape::Disk,
         };
-        JointTriangulation {
+        let mesh = JointTriangulation {
             shapes: [shape(&self.outlines[0]), shape(&self.outlines[1])],
             outline: self.ring.iter().map(|(id, _)| *id).collect(),
+            magnification: quality::magnification(&self.source, &self.target, &self.triangles),
             source: self.source,
             target: self.target,
             triangles: self.triangles,
             evidence: self.evidence,
-        }
+        };
+        mesh.with_magnification(&exact)
     }
 }

@@ -1,8 +1,8 @@
 //! The joint triangulation: two point sets, one connectivity.
 
 use super::{quality, validate};
-use crate::Result;
 use crate::plane::{Complex64, Polygon};
+use crate::{Error, Result};
 
 /// Source region → target region, affine in each triangle: the same triangles over two copies of the nodes.
 ///
@@ -15,6 +15,7 @@ pub struct JointTriangulation {
     pub(super) triangles: Vec<[u32; 3]>,
     pub(super) outline: Vec<u32>,
     pub(super) shapes: [Shape; 2],
+    pub(super) magnification: Vec<f64>,
     pub(super) evidence: Evidence,
 }
 
@@ -28,8 +29,8 @@ pub(super) enum Shape {
     Disk,
 }
 
-/// What the making of a joint triangulation found out about it. Lengths are in plane units of the target: divided by a
-/// frame's pixel size they are pixels.
+/// What the making of a joint triangulation found out about it. Lengths are in plane units of the target, and in pixels
+/// where a method says so.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Evidence {
@@ -37,6 +38,9 @@ pub struct Evidence {
     pub flipped_at_first: usize,
     /// Nodes added to undo those flips.
     pub added: usize,
+    /// Triangles that no refinement could turn back, because double precision has no room for them in one of the copies: their
+    /// surroundings are connected without folds, but not conformally.
+    pub mended: usize,
     /// Boundary nodes moved along an outline because the maps crowd them together beyond double precision.
     pub moved: usize,
     /// Largest distance between the map and its affine pieces, measured at the middles of
@@ -45,6 +49,22 @@ pub struct Evidence {
     /// Largest distance between where the paper's route puts the samples and where the
     /// exact one does; 0 for the exact route.
     pub route_difference: f64,
+    /// Size of a pixel of the frame that the density was asked for in, in plane units of the target.
+    pub pixel_size: Option<f64>,
+}
+
+impl Evidence {
+    /// [`Evidence::largest_error`] in pixels, if a frame was given.
+    #[must_use]
+    pub fn largest_error_pixels(&self) -> Option<f64> {
+        self.pixel_size.map(|pixel| self.largest_error / pixel)
+    }
+
+    /// [`Evidence::route_difference`] in pixels, if a frame was given.
+    #[must_use]
+    pub fn route_difference_pixels(&self) -> Option<f64> {
+        self.pixel_size.map(|pixel| self.route_difference / pixel)
+    }
 }
 
 impl JointTriangulation {
@@ -59,6 +79,8 @@ impl JointTriangulation {
     /// # Ok::<(), conformal_warp::Error>(())
     /// ```
     ///
+    /// The magnification is that of the triangles; [`JointTriangulation::with_magnification`] gives it exactly.
+    ///
     /// # Errors
     /// As [`JointTriangulation::validate`].
     pub fn from_parts(source: Vec<Complex64>, target: Vec<Complex64>, triangles: Vec<[u32; 3]>) -> Result<Self> {
@@ -69,16 +91,36 @@ impl JointTriangulation {
             Polygon::new(&corners).map(Shape::Polygon)
         };
         let shapes = [polygon(&source)?, polygon(&target)?];
-        let mesh = Self { source, target, triangles, outline, shapes, evidence: Evidence::default() };
+        let magnification = quality::magnification(&source, &target, &triangles);
+        let mesh = Self { source, target, triangles, outline, shapes, magnification, evidence: Evidence::default() };
         mesh.validate()?;
         Ok(mesh)
+    }
+
+    /// The same mesh with |f'| at its nodes as given; where a number is not finite and positive, the triangles' stays.
+    ///
+    /// # Errors
+    /// [`Error::WrongLength`] unless there is one number a node.
+    pub fn with_magnification(mut self, exact: &[f64]) -> Result<Self> {
+        let nodes = self.source.len();
+        if exact.len() != nodes {
+            let what = "The magnification";
+            return Err(Error::WrongLength { what, expected: nodes.to_string(), found: exact.len() });
+        }
+        for (own, &exact) in self.magnification.iter_mut().zip(exact) {
+            if exact.is_normal() && exact > 0.0 {
+                *own = exact;
+            }
+        }
+        Ok(self)
     }
 
     /// Target → source: the same triangles, the copies exchanged. The evidence stays that of the making.
     #[must_use]
     pub fn inverse(self) -> Self {
         let [source, target] = self.shapes;
-        Self { source: self.target, target: self.source, shapes: [target, source], ..self }
+        let magnification = self.magnification.iter().map(|factor| 1.0 / factor).collect();
+        Self { source: self.target, target: self.source, shapes: [target, source], magnification, ..self }
     }
 
     /// The nodes in the source region, plane units.
@@ -105,16 +147,25 @@ impl JointTriangulation {
         &self.outline
     }
 
-    /// How much the map magnifies around each node, target over source: |f'| as the mesh sees it, finite at corners too.
+    /// How much the map magnifies at each node, target over source: |f'|, and at corners, where that is 0 or infinite, what
+    /// the triangles around them do.
     #[must_use]
-    pub fn magnification(&self) -> Vec<f64> {
-        quality::magnification(&self.source, &self.target, &self.triangles)
+    pub fn magnification(&self) -> &[f64] {
+        &self.magnification
     }
 
     /// The largest change of an angle by an affine piece, in radians: the mesh's quasi-conformal distortion.
+    ///
+    /// It does not fall as the mesh gets finer where a corner's angle changes: the triangles there share the change.
     #[must_use]
     pub fn largest_angle_error(&self) -> f64 {
-        quality::largest_angle_error(&self.source, &self.target, &self.triangles)
+        quality::angle_errors(&self.source, &self.target, &self.triangles).largest
+    }
+
+    /// The mean change of an angle over the target's area, in radians: what the picture shows of the distortion.
+    #[must_use]
+    pub fn mean_angle_error(&self) -> f64 {
+        quality::angle_errors(&self.source, &self.target, &self.triangles).mean
     }
 
     /// Number of triangles that are flipped or degenerate in either copy: 0 unless something went wrong.

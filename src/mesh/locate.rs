@@ -1,10 +1,12 @@
 //! The paper's way back from the disk: find the triangle, apply its affine map.
 
 use super::build::CLEARANCE;
+use super::correspondence::Correspondence;
 use super::scan;
 use super::side::{Outline, Side};
 use crate::Result;
-use crate::plane::{BoundaryPoint, Complex64, Polygon, SmoothCurve};
+use crate::map::RegionMap;
+use crate::plane::{BoundaryPoint, Complex64};
 use spade::{DelaunayTriangulation, HasPosition, Point2, PositionInTriangulation, Triangulation};
 
 /// A sample of the region: its image in the disk, where it is looked for, and where it came from.
@@ -24,34 +26,29 @@ impl HasPosition for Sample {
 
 type Samples = DelaunayTriangulation<Sample>;
 
-/// A region whose inverse map is piecewise affine over a triangulation of its samples' images in the disk.
+/// A map between regions whose second half, disk → target, is piecewise affine over a triangulation of the images of the
+/// target's samples. Boundaries correspond exactly.
 pub(super) struct Located<'a> {
-    side: &'a dyn Side,
+    exact: &'a RegionMap,
     samples: Samples,
 }
 
 impl<'a> Located<'a> {
-    /// `points` are samples of the region, its boundary's included.
-    fn new(side: &'a dyn Side, inner: &[Complex64], boundary: &[BoundaryPoint]) -> Result<Self> {
-        let images = side.to_disk(inner).into_iter().zip(inner.iter().copied());
-        let edge = boundary.iter().map(|&p| (Complex64::cis(side.angle(p)), p.point));
+    /// The paper's samples of the target: a grid over its interior, and its boundary points, `spacing` apart.
+    pub(super) fn sampled(exact: &'a RegionMap, spacing: f64) -> Result<Self> {
+        let map = exact.target();
+        let inner = scan::fill(map.region().polygon(), map.region().center(), spacing, CLEARANCE * spacing)?;
+        let outline = Outline::new(map);
+        let boundary = [outline.corners(), outline.divisions(spacing)].concat();
+        let images = map.to_disk(&inner).into_iter().zip(inner);
+        let edge = boundary.iter().map(|&p| (Complex64::cis(map.boundary_angle(p)), p.point));
         let flush = |x: f64| if x.abs() < 1e-40 { 0.0 } else { x };
         let samples: Vec<_> = images
             .chain(edge)
             .filter(|(w, _)| w.is_finite())
             .map(|(w, region)| Sample { disk: Point2::new(flush(w.re), flush(w.im)), region })
             .collect();
-        let samples = Samples::bulk_load(samples).unwrap_or_default();
-        Ok(Self { side, samples })
-    }
-
-    /// The paper's samples of a region: a grid over its interior, and its boundary points, `spacing` apart.
-    pub(super) fn sampled(side: &'a dyn Side, spacing: f64) -> Result<Self> {
-        let Some(polygon) = side.polygon() else { return Self::new(side, &[], &[]) };
-        let inner = scan::fill(polygon, side.center(), spacing, CLEARANCE * spacing)?;
-        let outline = Outline::new(side);
-        let boundary = [outline.corners(), outline.divisions(spacing)].concat();
-        Self::new(side, &inner, &boundary)
+        Ok(Self { exact, samples: Samples::bulk_load(samples).unwrap_or_default() })
     }
 
     /// The affine map of the triangle around w; NaN outside the triangulation, or where its triangle is flipped.
@@ -82,40 +79,32 @@ impl<'a> Located<'a> {
     }
 }
 
-impl Side for Located<'_> {
-    fn polygon(&self) -> Option<&Polygon> {
-        self.side.polygon()
+impl Correspondence for Located<'_> {
+    fn copies(&self) -> [&dyn Side; 2] {
+        self.exact.copies()
     }
 
-    fn smooth(&self) -> Option<&SmoothCurve> {
-        self.side.smooth()
+    fn forward(&self, points: &[Complex64]) -> Vec<Complex64> {
+        self.exact.source().to_disk(points).into_iter().map(|w| self.at(w)).collect()
     }
 
-    fn center(&self) -> Complex64 {
-        self.side.center()
+    fn backward(&self, points: &[Complex64]) -> Vec<Complex64> {
+        self.exact.inverse(points)
     }
 
-    fn toward(&self) -> BoundaryPoint {
-        self.side.toward()
+    fn boundary_forward(&self, point: BoundaryPoint) -> BoundaryPoint {
+        self.exact.boundary_forward(point)
     }
 
-    fn angle(&self, point: BoundaryPoint) -> f64 {
-        self.side.angle(point)
+    fn boundary_backward(&self, point: BoundaryPoint) -> BoundaryPoint {
+        self.exact.boundary_inverse(point)
     }
 
-    fn at_angle(&self, angle: f64) -> BoundaryPoint {
-        self.side.at_angle(angle)
+    fn undo_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
+        self.exact.source().from_disk(points)
     }
 
-    fn error(&self) -> f64 {
-        self.side.error()
-    }
-
-    fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
-        self.side.to_disk(points)
-    }
-
-    fn to_region(&self, points: &[Complex64]) -> Vec<Complex64> {
-        points.iter().map(|&w| self.at(w)).collect()
+    fn magnification(&self, source: &[Complex64]) -> Vec<f64> {
+        self.exact.magnification(source)
     }
 }

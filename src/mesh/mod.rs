@@ -5,10 +5,13 @@
 //! boundary, `connect` makes triangles, `repair` refines until none is flipped, `validate` proves it.
 
 mod build;
+mod compatible;
 mod connect;
+mod correspondence;
 mod density;
 mod draft;
 mod export;
+mod flip;
 mod joint;
 mod locate;
 mod net;

@@ -1,85 +1,183 @@
-//! Pockets: parts of the source behind a neck so narrow that the target has room for them on one edge only.
+//! Pockets: parts of one copy behind a neck so narrow that double precision has no room for them in the other.
 //!
-//! Their boundary nodes lie side by side on that edge, closer together than the maps are accurate, and triangles
-//! between them are flat. Each chord between two such nodes gets a node on an arc over its ends instead: arcs over
-//! nested chords are nested, and longer ones rise more steeply, which keeps every triangle between them anticlockwise.
+//! Their nodes fall together there, and triangles turn over, however fine they are. No picture can show what happens in
+//! so small a place, only that nothing is torn or folded. So a patch around each such place gets a connectivity that is
+//! valid in both copies by construction, and no more conformal than the place has room for.
 
+use super::compatible::{Ring, compatible};
 use super::draft::Draft;
+use super::validate::orientation;
 use crate::plane::Complex64;
 use std::collections::HashMap;
 
-/// Height of an arc over a chord as long as the outline, relative to the chord.
-const RISE: f64 = 0.2;
-/// How slowly shorter arcs get flatter.
-const FLATTENING: f64 = 0.1;
+/// Patches grow by a ring of triangles until both their outlines are simple; this often at most.
+const MOST_RINGS: usize = 40;
+/// Larger patches than this are not pockets.
+const MOST_CORNERS: usize = 1000;
+
+/// A patch's new triangles; their nodes beyond those of the draft are `source` and `target`.
+struct Mended {
+    source: Vec<Complex64>,
+    target: Vec<Complex64>,
+    triangles: Vec<[u32; 3]>,
+}
 
 impl Draft<'_> {
-    /// Splits the chords of these triangles, which are flat in the target, and every triangle that has such a chord.
-    pub(super) fn raise(&mut self, flat: &[[u32; 3]]) {
-        let next_on_ring = self.next_on_ring();
-        let mut arcs: HashMap<(u32, u32), u32> = HashMap::new();
-        for &[a, b, c] in flat {
-            for (p, q) in [(a, b), (b, c), (c, a)] {
-                let chord = (p.min(q), p.max(q));
-                if next_on_ring[p as usize] == q || arcs.contains_key(&chord) {
-                    continue;
+    /// Connects the surroundings of these triangles anew. False if some cannot be mended.
+    pub(super) fn mend(&mut self, bad: &[[u32; 3]]) -> bool {
+        let mut patch: Vec<bool> = self.triangles.iter().map(|t| bad.contains(t)).collect();
+        let mut known: HashMap<(usize, usize), Option<Mended>> = HashMap::new();
+        for _ in 0..MOST_RINGS {
+            let groups = self.groups(&patch);
+            let mut done = true;
+            for group in &groups {
+                // A group is known by its first triangle and size: it only ever grows.
+                let mended = known.entry((group[0], group.len())).or_insert_with(|| self.mended(group));
+                if mended.is_none() {
+                    done = false;
+                    self.grow(group, &mut patch);
                 }
-                arcs.insert(chord, self.source.len() as u32);
-                self.source.push(0.5 * (self.source[p as usize] + self.source[q as usize]));
-                self.target.push(self.over(p, q));
-                self.places.push(None);
+            }
+            if done {
+                let mended = groups.iter().filter_map(|group| known.remove(&(group[0], group.len())).flatten());
+                let mended: Vec<_> = mended.collect();
+                self.replace(&patch, mended);
+                return true;
             }
         }
-        let triangles = std::mem::take(&mut self.triangles);
-        self.triangles =
-            triangles.into_iter().flat_map(|t| split(t, |p, q| arcs.get(&(p.min(q), p.max(q))).copied())).collect();
+        false
     }
 
-    /// The top of the arc over two boundary nodes on one edge of the target.
-    fn over(&self, p: u32, q: u32) -> Complex64 {
-        let along = |k: u32| self.places[k as usize].map_or(0.0, |place| self.outlines[1].distance(place.target));
-        let (p, q) = if along(p) < along(q) { (p, q) } else { (q, p) };
-        let (a, b) = (self.target[p as usize], self.target[q as usize]);
-        let rise = RISE * ((b - a).norm() / self.outlines[1].length()).powf(FLATTENING);
-        0.5 * (a + b) + Complex64::i() * (b - a) * (0.5 * rise)
-    }
-}
-
-/// A triangle cut at the nodes in the middle of its edges.
-fn split([a, b, c]: [u32; 3], middle: impl Fn(u32, u32) -> Option<u32>) -> Vec<[u32; 3]> {
-    match [middle(a, b), middle(b, c), middle(c, a)] {
-        [None, None, None] => vec![[a, b, c]],
-        [Some(ab), None, None] => vec![[a, ab, c], [ab, b, c]],
-        [Some(ab), Some(bc), None] => vec![[ab, b, bc], [a, ab, bc], [a, bc, c]],
-        [Some(ab), Some(bc), Some(ca)] => vec![[a, ab, ca], [ab, b, bc], [bc, c, ca], [ab, bc, ca]],
-        _ => split([b, c, a], middle),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn split_triangles_cover_the_whole() {
-        let corners = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)];
-        let area = |t: [u32; 3]| {
-            let [a, b, c] = t.map(|k| Complex64::new(corners[k as usize].0, corners[k as usize].1));
-            0.5 * ((b - a).conj() * (c - a)).im
-        };
-        for cut in 0..8 {
-            let middle = |p: u32, q: u32| {
-                let edge = match (p.min(q), p.max(q)) {
-                    (0, 1) => 0,
-                    (1, 2) => 1,
-                    _ => 2,
-                };
-                (cut >> edge & 1 == 1).then_some(3 + edge)
-            };
-            let parts = split([0, 1, 2], middle);
-            assert_eq!(parts.len(), 1 + (cut as u32).count_ones() as usize);
-            assert!(parts.iter().all(|t| area(*t) > 0.0));
-            assert_eq!(parts.into_iter().map(area).sum::<f64>(), 8.0);
+    /// The marked triangles in groups that share no node.
+    fn groups(&self, marked: &[bool]) -> Vec<Vec<usize>> {
+        let mut leader: Vec<u32> = (0..self.source.len() as u32).collect();
+        fn find(leader: &mut [u32], mut k: u32) -> u32 {
+            while leader[k as usize] != k {
+                leader[k as usize] = leader[leader[k as usize] as usize];
+                k = leader[k as usize];
+            }
+            k
         }
+        for (t, _) in self.triangles.iter().zip(marked).filter(|(_, marked)| **marked) {
+            let root = find(&mut leader, t[0]);
+            for k in &t[1..] {
+                let other = find(&mut leader, *k);
+                leader[other as usize] = root;
+            }
+        }
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        let mut number: HashMap<u32, usize> = HashMap::new();
+        for (index, t) in self.triangles.iter().enumerate().filter(|(index, _)| marked[*index]) {
+            let root = find(&mut leader, t[0]);
+            let group = *number.entry(root).or_insert_with(|| {
+                groups.push(Vec::new());
+                groups.len() - 1
+            });
+            groups[group].push(index);
+        }
+        groups
+    }
+
+    /// Marks the triangles around a group.
+    fn grow(&self, group: &[usize], marked: &mut [bool]) {
+        let mut inside = vec![false; self.source.len()];
+        for &index in group {
+            self.triangles[index].iter().for_each(|&k| inside[k as usize] = true);
+        }
+        for (t, marked) in self.triangles.iter().zip(marked) {
+            *marked |= t.iter().any(|&k| inside[k as usize]);
+        }
+    }
+
+    /// New triangles for a group, if its outlines are simple and the triangles valid.
+    fn mended(&self, group: &[usize]) -> Option<Mended> {
+        let ring = self.ring_of(group)?;
+        if ring.len() > MOST_CORNERS {
+            return None;
+        }
+        let next_on_ring = self.next_on_ring();
+        let n = ring.len();
+        let at = |points: &[Complex64]| -> Vec<Complex64> { ring.iter().map(|&k| points[k as usize]).collect() };
+        let straight = |copy: usize| -> Vec<bool> {
+            let neighbours = |k: usize| [ring[(k + n - 1) % n], ring[k], ring[(k + 1) % n]];
+            (0..n)
+                .map(|k| {
+                    let [a, b, c] = neighbours(k);
+                    let along = next_on_ring[a as usize] == b && next_on_ring[b as usize] == c;
+                    along && self.is_straight(copy, [a, b, c])
+                })
+                .collect()
+        };
+        let (corners, flags) = ([at(&self.source), at(&self.target)], [straight(0), straight(1)]);
+        let rings = [0, 1].map(|copy| Ring { corners: &corners[copy], straight: &flags[copy] });
+        let found = compatible(&rings[0], &rings[1])?;
+        let node = |k: u32| match ring.get(k as usize) {
+            Some(&corner) => corner,
+            None => (self.source.len() + k as usize - n) as u32,
+        };
+        let [source, target] = [[&corners[0][..], &found.source].concat(), [&corners[1][..], &found.target].concat()];
+        let upright = |t: &[u32; 3]| orientation(&source, *t) > 0.0 && orientation(&target, *t) > 0.0;
+        let triangles: Vec<_> = found.triangles.iter().map(|t| t.map(node)).collect();
+        let valid = found.triangles.iter().all(upright) && !triangles.iter().any(|t| self.is_flat(*t));
+        valid.then_some(Mended { source: found.source, target: found.target, triangles })
+    }
+
+    /// The outline of a group of triangles, anticlockwise in the source; `None` unless it is one closed curve.
+    fn ring_of(&self, group: &[usize]) -> Option<Vec<u32>> {
+        let edges = || {
+            group.iter().flat_map(|&index| {
+                let [a, b, c] = self.triangles[index];
+                [(a, b), (b, c), (c, a)]
+            })
+        };
+        let all: std::collections::HashSet<_> = edges().collect();
+        let outline: Vec<_> = edges().filter(|&(a, b)| !all.contains(&(b, a))).collect();
+        let next: HashMap<u32, u32> = outline.iter().copied().collect();
+        let first = outline.first()?.0;
+        let mut ring = vec![first];
+        while ring.len() <= next.len() {
+            let node = *next.get(&ring[ring.len() - 1])?;
+            if node == first {
+                break;
+            }
+            ring.push(node);
+        }
+        (ring.len() == outline.len() && next.len() == outline.len()).then_some(ring)
+    }
+
+    /// Puts new triangles in the place of the marked ones, and drops nodes that have none left.
+    fn replace(&mut self, marked: &[bool], mended: Vec<Mended>) {
+        let mut index = 0;
+        self.triangles.retain(|_| {
+            index += 1;
+            !marked[index - 1]
+        });
+        let before = self.source.len();
+        for patch in mended {
+            let shift = (self.source.len() - before) as u32;
+            let place = |k: u32| if (k as usize) < before { k } else { k + shift };
+            self.triangles.extend(patch.triangles.iter().map(|t| t.map(place)));
+            self.source.extend(patch.source);
+            self.target.extend(patch.target);
+        }
+        self.places.resize(self.source.len(), None);
+        self.drop_unused();
+    }
+
+    fn drop_unused(&mut self) {
+        let mut used = vec![false; self.source.len()];
+        self.triangles.iter().flatten().for_each(|&k| used[k as usize] = true);
+        let mut numbers = Vec::with_capacity(used.len());
+        let mut count = 0;
+        for &used in &used {
+            numbers.push(count);
+            count += u32::from(used);
+        }
+        let keep = |k: usize| used[k];
+        self.source = (0..used.len()).filter(|&k| keep(k)).map(|k| self.source[k]).collect();
+        self.target = (0..used.len()).filter(|&k| keep(k)).map(|k| self.target[k]).collect();
+        self.places = (0..used.len()).filter(|&k| keep(k)).map(|k| self.places[k]).collect();
+        self.triangles.iter_mut().flatten().for_each(|k| *k = numbers[*k as usize]);
+        self.ring.iter_mut().for_each(|(id, _)| *id = numbers[*id as usize]);
     }
 }

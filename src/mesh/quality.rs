@@ -14,10 +14,26 @@ pub(super) fn angle_error(source: [Complex64; 3], target: [Complex64; 3]) -> f64
     2.0 * (q.norm() / p.norm()).min(1.0).asin()
 }
 
-/// The largest over all triangles.
-pub(super) fn largest_angle_error(source: &[Complex64], target: &[Complex64], triangles: &[[u32; 3]]) -> f64 {
+/// Changes of angles over a mesh, in radians.
+pub(super) struct AngleErrors {
+    pub(super) largest: f64,
+    /// Weighted by the triangles' areas in the target.
+    pub(super) mean: f64,
+}
+
+/// Of all triangles.
+pub(super) fn angle_errors(source: &[Complex64], target: &[Complex64], triangles: &[[u32; 3]]) -> AngleErrors {
     let corners = |points: &[Complex64], t: &[u32; 3]| t.map(|k| points[k as usize]);
-    triangles.iter().map(|t| angle_error(corners(source, t), corners(target, t))).fold(0.0, f64::max)
+    let (mut largest, mut sum, mut area): (f64, f64, f64) = (0.0, 0.0, 0.0);
+    for t in triangles {
+        let [a, b, c] = corners(target, t);
+        let error = angle_error(corners(source, t), [a, b, c]);
+        let weight = ((b - a).conj() * (c - a)).im;
+        largest = largest.max(error);
+        sum += weight * error;
+        area += weight;
+    }
+    AngleErrors { largest, mean: sum / area }
 }
 
 /// How much each node's surroundings grow from source to target: the square root of the ratio of the areas of the

@@ -1,5 +1,6 @@
 //! No flipped triangle in either copy: refine where the connectivity of one would fold the other (Saalfeld's caveat).
 
+use super::correspondence::Correspondence;
 use super::draft::Draft;
 use super::ring::RingNode;
 use super::validate::orientation;
@@ -7,62 +8,62 @@ use crate::plane::Complex64;
 use crate::{Error, Result};
 use std::collections::BTreeSet;
 
-/// Refinement halves edges, so that this many rounds reach details 2^-40 of the region's size.
-const MOST_ROUNDS: usize = 40;
+/// Refinement that has not undone the flips in so many rounds meets a place that double precision has no room for.
+const MOST_ROUNDS: usize = 8;
 /// The bound on the refinement: this many times the nodes at the start, and a thousand.
 const MOST_GROWTH: usize = 2;
-/// Pockets have an angle on the circle of less than this many errors of the maps.
-const POCKET: f64 = 100.0;
 
 impl Draft<'_> {
-    /// Connects the nodes, then adds nodes until no triangle is flipped or degenerate.
+    /// Connects the nodes, then adds nodes and their images under `map` until no triangle is flipped or degenerate; what is left then is mended.
     ///
     /// # Errors
-    /// [`Error::Crowded`] if the bound on the refinement is met before.
-    pub(super) fn connect_valid(&mut self) -> Result<()> {
+    /// [`Error::Crowded`] if that is not possible either.
+    pub(super) fn connect_valid(&mut self, map: &dyn Correspondence) -> Result<()> {
         self.connect()?;
         let mut bad = self.bad_triangles();
         self.evidence.flipped_at_first = bad.len();
+        self.flip_bad();
+        bad = self.bad_triangles();
         let start = self.source.len();
         for _ in 0..MOST_ROUNDS {
-            let (pockets, others): (Vec<_>, Vec<_>) = bad.iter().copied().partition(|t| self.is_pocket(*t));
-            if others.is_empty() {
-                self.raise(&pockets);
-                bad = self.bad_triangles();
-                self.evidence.added = self.source.len() - start;
-                break;
-            }
             let too_many = self.source.len() > MOST_GROWTH * start + 1000;
-            if too_many || self.refine(&others) == 0 {
+            if bad.is_empty() || too_many || self.refine(&bad, map) == 0 {
                 break;
             }
             self.connect()?;
+            self.flip_bad();
             bad = self.bad_triangles();
         }
+        self.evidence.added = self.source.len() - start;
         let Some(t) = bad.first() else { return Ok(()) };
         let [a, b, c] = t.map(|k| self.source[k as usize]);
-        Err(Error::Crowded { at: (a + b + c) / 3.0 })
-    }
-
-    /// Whether a triangle is flat in the target because it lies in a pocket.
-    fn is_pocket(&self, t: [u32; 3]) -> bool {
-        let [Some(a), Some(b), Some(c)] = t.map(|k| self.places[k as usize]) else { return false };
-        let far = [(a, b), (b, c), (c, a)].iter().any(|(p, q)| (p.angle - q.angle).abs() > POCKET * self.trust());
-        !far && self.on_one_edge(1, [a, b, c]) && !self.on_one_edge(0, [a, b, c])
+        if self.mend(&bad) && self.bad_triangles().is_empty() {
+            self.evidence.mended = bad.len();
+            Ok(())
+        } else {
+            Err(Error::Crowded { at: (a + b + c) / 3.0 })
+        }
     }
 
     /// The triangles that are not anticlockwise in both copies, or have their corners on one edge of an outline.
     pub(super) fn bad_triangles(&self) -> Vec<[u32; 3]> {
-        let bad = |t: &&[u32; 3]| {
-            orientation(&self.target, **t) <= 0.0 || orientation(&self.source, **t) <= 0.0 || self.is_flat(**t)
-        };
-        self.triangles.iter().filter(bad).copied().collect()
+        self.triangles.iter().filter(|t| self.is_bad(**t)).copied().collect()
+    }
+
+    pub(super) fn is_bad(&self, t: [u32; 3]) -> bool {
+        orientation(&self.target, t) <= 0.0 || orientation(&self.source, t) <= 0.0 || self.is_flat(t)
     }
 
     /// Whether the corners lie on one edge of an outline: then only rounding gives the triangle an area.
-    fn is_flat(&self, t: [u32; 3]) -> bool {
-        let [Some(a), Some(b), Some(c)] = t.map(|k| self.places[k as usize]) else { return false };
-        (0..2).any(|copy| self.on_one_edge(copy, [a, b, c]))
+    pub(super) fn is_flat(&self, t: [u32; 3]) -> bool {
+        (0..2).any(|copy| self.is_straight(copy, t))
+    }
+
+    /// Whether three nodes lie on one straight edge of a copy's outline.
+    pub(super) fn is_straight(&self, copy: usize, nodes: [u32; 3]) -> bool {
+        let place = |k: u32| self.places.get(k as usize).copied().flatten();
+        let [Some(a), Some(b), Some(c)] = nodes.map(place) else { return false };
+        self.on_one_edge(copy, [a, b, c])
     }
 
     fn on_one_edge(&self, copy: usize, nodes: [RingNode; 3]) -> bool {
@@ -77,7 +78,7 @@ impl Draft<'_> {
     }
 
     /// Adds the middle of the longest edge of each of these triangles; returns the number of nodes added.
-    fn refine(&mut self, bad: &[[u32; 3]]) -> usize {
+    fn refine(&mut self, bad: &[[u32; 3]], map: &dyn Correspondence) -> usize {
         let next_on_ring = self.next_on_ring();
         let mut inner: BTreeSet<(u32, u32)> = BTreeSet::new();
         let mut starts: Vec<u32> = Vec::new();
@@ -97,7 +98,7 @@ impl Draft<'_> {
         }
         points.extend(inner.iter().map(|&(p, q)| 0.5 * (self.source[p as usize] + self.source[q as usize])));
         starts.sort_unstable();
-        self.add_inner(&points) + self.split_boundary(&starts)
+        self.add_inner(&points, map) + self.split_boundary(&starts)
     }
 
     /// Length of an edge as a share of the outline, in the copy where it is longer.

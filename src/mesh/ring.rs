@@ -1,7 +1,8 @@
 //! The refinement of the boundary: one cyclic list of nodes on the outlines of both copies.
 
+use super::correspondence::Correspondence;
 use super::net;
-use super::side::{Outline, Side};
+use super::side::Outline;
 use crate::plane::BoundaryPoint;
 use crate::{Error, Result};
 use std::f64::consts::TAU;
@@ -16,13 +17,14 @@ const CROWDED: f64 = 0.3;
 /// Two corners, one of each outline, closer than this share of the spacing in both copies become one node.
 const COINCIDENT: f64 = 1e-3;
 
+/// Angles closer than this say nothing about which comes first.
+const SAME_ANGLE: f64 = 1e-9;
+
 /// A boundary node: a point of both outlines.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RingNode {
     pub(super) source: BoundaryPoint,
     pub(super) target: BoundaryPoint,
-    /// Where both lie on the circle.
-    pub(super) angle: f64,
 }
 
 /// The boundary nodes of a joint triangulation, anticlockwise from the pair of `toward` points.
@@ -80,31 +82,26 @@ impl Ring {
     /// # Errors
     /// [`Error::Crowded`] where corners of one copy come so close together in the other that double precision
     /// cannot place them one after the other.
-    pub(super) fn new(source: &dyn Side, target: &dyn Side, spacing: f64) -> Result<Self> {
-        let outlines = (&Outline::new(source), &Outline::new(target));
-        let own = candidates_of_source(source, target, outlines, spacing);
-        let others = candidates_of_target(source, target, outlines);
-        let reach = outlines.1.length() / outlines.0.length() * spacing;
-        let mut list = merge(own, others);
+    pub(super) fn new(map: &dyn Correspondence, spacing: f64) -> Result<Self> {
+        let outlines = map.copies().map(Outline::new);
+        let own = candidates_of_source(map, &outlines, spacing);
+        let others = candidates_of_target(map, &outlines);
+        let reach = outlines[1].length() / outlines[0].length() * spacing;
+        let mut list = merge(own, others, &outlines);
         unite_coincident(&mut list, COINCIDENT * spacing, COINCIDENT * reach);
         drop_crowded(&mut list, CROWDED * spacing, 1e-3 * reach);
-        grade(&mut list, source, target, outlines);
+        grade(&mut list, map, &outlines);
         let mut moved = vec![false; list.len()];
-        spread(&mut list, |c| &mut c.source, outlines.0, &mut moved)?;
-        spread(&mut list, |c| &mut c.target, outlines.1, &mut moved)?;
-        let nodes =
-            list.iter().map(|c| RingNode { source: c.source.point, target: c.target.point, angle: c.angle }).collect();
+        spread(&mut list, |c| &mut c.source, &outlines[0], &mut moved)?;
+        spread(&mut list, |c| &mut c.target, &outlines[1], &mut moved)?;
+        let nodes = list.iter().map(|c| RingNode { source: c.source.point, target: c.target.point }).collect();
         Ok(Self { nodes, moved: moved.iter().filter(|&&m| m).count() })
     }
 }
 
 /// The pair of `toward` points, then the source's corners and divisions with their places on the target.
-fn candidates_of_source(
-    source: &dyn Side,
-    target: &dyn Side,
-    (own, other): (&Outline, &Outline),
-    spacing: f64,
-) -> Vec<Candidate> {
+fn candidates_of_source(map: &dyn Correspondence, [own, other]: &[Outline; 2], spacing: f64) -> Vec<Candidate> {
+    let [source, target] = map.copies();
     let toward = Candidate {
         angle: 0.0,
         origin: Origin::Corner,
@@ -117,30 +114,33 @@ fn candidates_of_source(
             angle,
             origin,
             source: Place { point, distance: own.distance(point), fixed: origin == Origin::Corner },
-            target: Place::image(target.at_angle(angle), angle, other),
+            target: Place::image(map.boundary_forward(point), angle, other),
         }
     };
     let corners = own.corners().into_iter().map(|point| (point, Origin::Corner));
     let divisions = own.divisions(spacing).into_iter().map(|point| (point, Origin::Division));
     let mut list = vec![toward];
-    list.extend(corners.chain(divisions).map(carried).filter(|c| c.source.distance > 0.0));
+    let again = |c: &Candidate| c.source.point.point == source.toward().point;
+    list.extend(corners.chain(divisions).map(carried).filter(|c| !again(c)));
     list.sort_by(|p, q| p.source.distance.total_cmp(&q.source.distance));
     keep_order(&mut list);
     list
 }
 
 /// The target's corners with their places on the source.
-fn candidates_of_target(source: &dyn Side, target: &dyn Side, (own, other): (&Outline, &Outline)) -> Vec<Candidate> {
+fn candidates_of_target(map: &dyn Correspondence, [own, other]: &[Outline; 2]) -> Vec<Candidate> {
+    let [_, target] = map.copies();
     let carried = |point: BoundaryPoint| {
         let angle = target.angle(point);
         Candidate {
             angle,
             origin: Origin::Corner,
-            source: Place::image(source.at_angle(angle), angle, own),
+            source: Place::image(map.boundary_backward(point), angle, own),
             target: Place { point, distance: other.distance(point), fixed: true },
         }
     };
-    let mut list: Vec<_> = other.corners().into_iter().map(carried).filter(|c| c.target.distance > 0.0).collect();
+    let again = |c: &Candidate| c.target.point.point == target.toward().point;
+    let mut list: Vec<_> = other.corners().into_iter().map(carried).filter(|c| !again(c)).collect();
     list.sort_by(|p, q| p.target.distance.total_cmp(&q.target.distance));
     keep_order(&mut list);
     list
@@ -155,35 +155,45 @@ fn keep_order(list: &mut [Candidate]) {
     }
 }
 
-/// Two lists with rising angles → one.
-fn merge(own: Vec<Candidate>, others: Vec<Candidate>) -> Vec<Candidate> {
-    let mut list: Vec<_> = own.into_iter().chain(others).collect();
-    list.sort_by(|p, q| p.angle.total_cmp(&q.angle)); // stable: equal angles keep each outline's order
+/// Two lists, each in its order along the outlines → one. Where angles cannot tell which comes first, places do: charts
+/// know those better than numbers on one circle.
+fn merge(own: Vec<Candidate>, others: Vec<Candidate>, outlines: &[Outline; 2]) -> Vec<Candidate> {
+    let first = |p: &Candidate, q: &Candidate| {
+        let apart = p.angle - q.angle;
+        let ahead = (p.source.distance - q.source.distance) / outlines[0].length()
+            + (p.target.distance - q.target.distance) / outlines[1].length();
+        if apart.abs() > SAME_ANGLE { apart <= 0.0 } else { ahead <= 0.0 }
+    };
+    let mut list = Vec::with_capacity(own.len() + others.len());
+    let (mut own, mut others) = (own.into_iter().peekable(), others.into_iter().peekable());
+    while let (Some(p), Some(q)) = (own.peek(), others.peek()) {
+        list.extend(if first(p, q) { own.next() } else { others.next() });
+    }
+    list.extend(own.chain(others));
+    keep_order(&mut list);
     list
 }
 
 /// A corner of one outline that falls onto a corner of the other makes one node with it.
 fn unite_coincident(list: &mut Vec<Candidate>, source_reach: f64, target_reach: f64) {
-    let corners: Vec<Candidate> = list.iter().copied().filter(|c| c.origin == Origin::Corner).collect();
-    let mut kept: Vec<Candidate> = Vec::with_capacity(corners.len());
-    for next in corners {
-        if let Some(last) = kept.last_mut() {
-            let one_of_each = last.source.fixed != next.source.fixed && last.target.fixed != next.target.fixed;
-            let close = (next.source.point.point - last.source.point.point).norm() <= source_reach
-                && (next.target.point.point - last.target.point.point).norm() <= target_reach;
-            if one_of_each && close {
-                *last = Candidate {
-                    source: if last.source.fixed { last.source } else { next.source },
-                    target: if last.target.fixed { last.target } else { next.target },
-                    ..*last
-                };
-                continue;
+    let mut kept: Vec<Candidate> = Vec::with_capacity(list.len());
+    let mut last_corner: Option<usize> = None;
+    for &next in list.iter() {
+        if next.origin == Origin::Corner {
+            if let Some(last) = last_corner.map(|k| &mut kept[k]) {
+                let one_of_each = last.source.fixed != next.source.fixed && last.target.fixed != next.target.fixed;
+                let close = (next.source.point.point - last.source.point.point).norm() <= source_reach
+                    && (next.target.point.point - last.target.point.point).norm() <= target_reach;
+                if one_of_each && close {
+                    last.source = if last.source.fixed { last.source } else { next.source };
+                    last.target = if last.target.fixed { last.target } else { next.target };
+                    continue;
+                }
             }
+            last_corner = Some(kept.len());
         }
         kept.push(next);
     }
-    kept.extend(list.iter().filter(|c| c.origin == Origin::Division));
-    kept.sort_by(|p, q| p.angle.total_cmp(&q.angle));
     *list = kept;
 }
 
@@ -214,7 +224,8 @@ fn drop_crowded(list: &mut Vec<Candidate>, source_gap: f64, target_gap: f64) {
 }
 
 /// Adds nodes so that neighbouring gaps on the circle are of comparable size.
-fn grade(list: &mut Vec<Candidate>, source: &dyn Side, target: &dyn Side, (own, other): (&Outline, &Outline)) {
+fn grade(list: &mut Vec<Candidate>, map: &dyn Correspondence, [own, other]: &[Outline; 2]) {
+    let [source, target] = map.copies();
     let angles: Vec<_> = list.iter().map(|c| c.angle).collect();
     list.extend(net::grading(&angles, source.error().max(target.error())).into_iter().map(|angle| Candidate {
         angle,

@@ -8,9 +8,6 @@ use std::sync::Arc;
 /// No map is more accurate than this, some roundings of numbers near 1.
 const ROUNDING: f64 = 1e-13;
 
-/// A place that does not map back to within this share of its distance from the circle is not used.
-const ROUND_TRIP: f64 = 0.01;
-
 /// A region that is one copy of a joint triangulation, or the disk itself.
 ///
 /// The mesh needs no more than a homeomorphism: that the maps are conformal makes it good, not valid.
@@ -25,16 +22,12 @@ pub(crate) trait Side {
     fn center(&self) -> Complex64;
     /// The boundary point that goes to 1.
     fn toward(&self) -> BoundaryPoint;
-    /// Boundary → angle on the circle, in [0, 2π).
+    /// Boundary → angle on the circle, in [0, 2π], rising from `toward` on.
     fn angle(&self, point: BoundaryPoint) -> f64;
     /// Angle on the circle → boundary.
     fn at_angle(&self, angle: f64) -> BoundaryPoint;
     /// Largest error of the map, in units of the disk.
     fn error(&self) -> f64;
-    /// Region → disk; NaN outside the region.
-    fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64>;
-    /// Disk → region; NaN outside the disk.
-    fn to_region(&self, points: &[Complex64]) -> Vec<Complex64>;
 }
 
 impl Side for RiemannMap {
@@ -55,7 +48,7 @@ impl Side for RiemannMap {
     }
 
     fn angle(&self, point: BoundaryPoint) -> f64 {
-        self.boundary_angle(point)
+        self.angle_from_toward(point)
     }
 
     fn at_angle(&self, angle: f64) -> BoundaryPoint {
@@ -64,20 +57,6 @@ impl Side for RiemannMap {
 
     fn error(&self) -> f64 {
         self.error_estimate().max(ROUNDING)
-    }
-
-    fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
-        self.to_disk(points)
-    }
-
-    fn to_region(&self, points: &[Complex64]) -> Vec<Complex64> {
-        let places = self.from_disk(points);
-        let agrees = |(w, back): (&Complex64, Complex64)| {
-            (w - back).norm() <= ROUND_TRIP * (1.0 - w.norm()) + 10.0 * self.error()
-        };
-        let good: Vec<_> = points.iter().zip(self.to_disk(&places)).map(agrees).collect();
-        let undefined = Complex64::new(f64::NAN, f64::NAN);
-        places.into_iter().zip(good).map(|(z, good)| if good { z } else { undefined }).collect()
     }
 }
 
@@ -108,14 +87,6 @@ impl Side for UnitDisk {
 
     fn error(&self) -> f64 {
         ROUNDING
-    }
-
-    fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
-        points.to_vec()
-    }
-
-    fn to_region(&self, points: &[Complex64]) -> Vec<Complex64> {
-        points.to_vec()
     }
 }
 
@@ -202,6 +173,17 @@ impl<'a> Outline<'a> {
         let edge = self.starts.partition_point(|&start| start <= s).clamp(1, self.starts.len() - 1) - 1;
         let length = self.starts[edge + 1] - self.starts[edge];
         self.on_edge(edge, ((s - self.starts[edge]) / length).clamp(0.0, 1.0 - f64::EPSILON))
+    }
+
+    /// The outline's point nearest to one inside the straight edges between corners.
+    pub(super) fn nearest(&self, z: Complex64) -> Option<BoundaryPoint> {
+        match self.polygon {
+            None if z.is_finite() => {
+                Some(BoundaryPoint { edge: 0, t: z.arg().rem_euclid(TAU) / TAU, point: z / z.norm() })
+            }
+            Some(polygon) if polygon.contains(z) => Some(polygon.nearest(z)),
+            _ => None,
+        }
     }
 
     /// Distance from a point inside to the outline; negative outside, NaN for a point that is not finite.

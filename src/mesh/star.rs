@@ -1,6 +1,7 @@
 //! A test double: star-shaped regions, mapped to the disk along rays. Not conformal, but one-to-one and exact.
 
-use super::side::Side;
+use super::correspondence::Correspondence;
+use super::side::{Side, UnitDisk};
 use crate::plane::{BoundaryPoint, Complex64, Polygon};
 use std::f64::consts::TAU;
 
@@ -58,7 +59,9 @@ impl Side for Star {
     fn error(&self) -> f64 {
         1e-13
     }
+}
 
+impl Star {
     fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
         let turn = Complex64::cis(-self.turn());
         let ratio = |z: Complex64| {
@@ -72,5 +75,71 @@ impl Side for Star {
     fn to_region(&self, points: &[Complex64]) -> Vec<Complex64> {
         let reach = |w: Complex64| self.center + (self.at_angle(w.arg()).point - self.center) * w.norm();
         points.iter().map(|&w| reach(w)).collect()
+    }
+}
+
+/// The two maps of stars, one after the other.
+pub(super) struct Stars<'a>(pub(super) &'a Star, pub(super) &'a Star);
+
+impl Correspondence for Stars<'_> {
+    fn copies(&self) -> [&dyn Side; 2] {
+        [self.0, self.1]
+    }
+
+    fn forward(&self, points: &[Complex64]) -> Vec<Complex64> {
+        self.1.to_region(&self.0.to_disk(points))
+    }
+
+    fn backward(&self, points: &[Complex64]) -> Vec<Complex64> {
+        self.0.to_region(&self.1.to_disk(points))
+    }
+
+    fn boundary_forward(&self, point: BoundaryPoint) -> BoundaryPoint {
+        self.1.at_angle(self.0.angle(point))
+    }
+
+    fn boundary_backward(&self, point: BoundaryPoint) -> BoundaryPoint {
+        self.0.at_angle(self.1.angle(point))
+    }
+
+    fn undo_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
+        self.0.to_region(points)
+    }
+
+    fn magnification(&self, source: &[Complex64]) -> Vec<f64> {
+        vec![f64::NAN; source.len()] // they stretch differently in every direction
+    }
+}
+
+/// One of them onto the disk.
+pub(super) struct StarOntoDisk<'a>(pub(super) &'a Star);
+
+impl Correspondence for StarOntoDisk<'_> {
+    fn copies(&self) -> [&dyn Side; 2] {
+        [self.0, &UnitDisk]
+    }
+
+    fn forward(&self, points: &[Complex64]) -> Vec<Complex64> {
+        self.0.to_disk(points)
+    }
+
+    fn backward(&self, points: &[Complex64]) -> Vec<Complex64> {
+        self.0.to_region(points)
+    }
+
+    fn boundary_forward(&self, point: BoundaryPoint) -> BoundaryPoint {
+        UnitDisk.at_angle(self.0.angle(point))
+    }
+
+    fn boundary_backward(&self, point: BoundaryPoint) -> BoundaryPoint {
+        self.0.at_angle(UnitDisk.angle(point))
+    }
+
+    fn undo_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
+        self.0.to_region(points)
+    }
+
+    fn magnification(&self, source: &[Complex64]) -> Vec<f64> {
+        vec![f64::NAN; source.len()]
     }
 }

@@ -91,15 +91,31 @@ impl JointTriangulation {
         Self(self.0.clone().inverse())
     }
 
-    /// A mesh from its arrays, as a worker receives them: `source`, `target` and `triangles` of another one.
+    /// A mesh from its arrays, as a worker receives them: `source`, `target`, `triangles` and `magnification` of another
+    /// one. Without the last, the triangles tell the magnification.
     ///
     /// Throws "wrong-length" or "invalid-mesh".
     #[wasm_bindgen(js_name = fromParts)]
-    pub fn from_parts(source: &[f64], target: &[f64], triangles: &[u32]) -> Result<Self, Failure> {
+    pub fn from_parts(
+        source: &[f64],
+        target: &[f64],
+        triangles: &[u32],
+        magnification: Option<Vec<f64>>,
+    ) -> Result<Self, Failure> {
         let [source, target] =
             [points::from_flat("The source nodes", source)?, points::from_flat("The target nodes", target)?];
         let triangles = points::triples_from_flat("The triangles", triangles)?;
-        Ok(Self(mesh::JointTriangulation::from_parts(source, target, triangles)?))
+        let mesh = mesh::JointTriangulation::from_parts(source, target, triangles)?;
+        Ok(Self(match magnification {
+            Some(exact) => mesh.with_magnification(&exact)?,
+            None => mesh,
+        }))
+    }
+
+    /// |f'| at each node, target over source: what the mip level of a picture follows.
+    #[wasm_bindgen(getter)]
+    pub fn magnification(&self) -> Vec<f64> {
+        self.0.magnification().to_vec()
     }
 
     /// The nodes in the source region `[x0, y0, x1, y1, …]`.
@@ -141,8 +157,11 @@ impl JointTriangulation {
             added: found.added,
             moved: found.moved,
             largest_error: found.largest_error,
+            largest_error_pixels: found.largest_error_pixels(),
             route_difference: found.route_difference,
+            route_difference_pixels: found.route_difference_pixels(),
             largest_angle_error: self.0.largest_angle_error(),
+            mean_angle_error: self.0.mean_angle_error(),
         })
     }
 
@@ -197,9 +216,18 @@ pub struct MeshEvidence {
     pub moved: usize,
     /// The largest distance between the map and its affine pieces, in plane units of the target.
     pub largest_error: f64,
+    /// The same in pixels of the frame, if one was given.
+    #[tsify(optional)]
+    pub largest_error_pixels: Option<f64>,
     /// The largest distance between where the route "located" puts samples and where the exact one does, in plane units of
     /// the target.
     pub route_difference: f64,
-    /// The largest change of an angle by an affine piece, in radians.
+    /// The same in pixels of the frame, if one was given.
+    #[tsify(optional)]
+    pub route_difference_pixels: Option<f64>,
+    /// The largest change of an angle by an affine piece, in radians. It stays large where a corner's angle changes: the
+    /// triangles there share the change, however small they are.
     pub largest_angle_error: f64,
+    /// The mean change of an angle over the target's area, in radians: what the picture shows of the distortion.
+    pub mean_angle_error: f64,
 }
