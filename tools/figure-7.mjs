@@ -15,8 +15,12 @@ const SIZE = /** @type {[number, number]} */ ([600, 350]);
 /** Between the eyes. */
 const FIXATION = /** @type {[number, number]} */ ([-0.125, 0.6]);
 const FIELD_OF_VIEW = 80;
+/** The blind spot, 15° temporal and 1.5° below, and a point a little further out. */
+const BLIND_SPOT = [15, -1.5, 15.001, -1.5];
 /** Eccentricities of the rings, in degrees. */
 const RINGS = [1, 2, 5, 10, 20, 40];
+/** Of outlines, and of lines over nothing. */
+const DARK = [90, 90, 110];
 
 await main(async () => {
   await init();
@@ -38,7 +42,6 @@ await main(async () => {
       const data = seen.warpFoveated(foveated, { texture: picture, view, quality: "best" });
       const pixels = { width: SIZE[0], height: SIZE[1], data };
       const closed = Float64Array.of(...boundary, boundary[0], boundary[1]);
-      stroke(pixels, view, closed.map((x, k) => (k % 2 === 0 ? side * x : x)), [90, 90, 110]);
       for (const eccentricity of RINGS) {
         stroke(pixels, view, cortex.toCortex(ring(eccentricity, side)));
         stroke(photo, picture, seen.toPicture(cortex.toCortex(ring(eccentricity, side))));
@@ -47,21 +50,29 @@ await main(async () => {
         stroke(pixels, view, cortex.toCortex(ray(azimuth, side)));
         stroke(photo, picture, seen.toPicture(cortex.toCortex(ray(azimuth, side))));
       }
+      stroke(pixels, view, closed.map((x, k) => (k % 2 === 0 ? side * x : x)), DARK);
       return pixels;
     });
     save("figure-7.jpg", sheet([right, photo, left], 3));
   });
 });
 
+/** A point of the field in degrees → the stereographic half disk, its radius taken for 90. @param {number[]} point */
+function onDisk([x, y]) {
+  const e = Math.hypot(x, y);
+  const scale = (90 * Math.tan((e * Math.PI) / 360)) / e;
+  return [x * scale, y * scale];
+}
+
 /**
- * Symm's map of a left hemisphere's outline, and the direction of the horizontal meridian at the blind spot, where the model
- * has both.
+ * Symm's map of a left hemisphere's outline, and the direction of the horizontal meridian at the blind spot. That lies where
+ * the corners of the field go to the outline's: the dipole of the half disk has both there.
  *
  * @param {(text: string) => void} note
  */
 function solveOutline(note) {
   const model = RetinoCorticalMap.model(MODEL);
-  const [x, y, ahead, up] = model.toCortex(new Float64Array([15, -1.5, 15.001, -1.5]));
+  const [x, y, ahead, up] = model.toCortex(new Float64Array([...onDisk(BLIND_SPOT.slice(0, 2)), ...onDisk(BLIND_SPOT.slice(2))]));
   const boundary = RetinoCorticalMap.modelOutline(MODEL, 400);
   const map = RiemannMap.solve(new Region({ boundary, center: [x, y], toward: [boundary[0], boundary[1]] }));
   note(`${map.unknowns} unknowns, error ${map.errorEstimate.toExponential(0)}`);
@@ -80,14 +91,14 @@ function ring(eccentricity, side) {
 }
 
 /**
- * A ray of the visual field from 0.5° to 60°.
+ * A ray of the visual field from the fovea to its edge.
  *
  * @param {number} azimuth in degrees from the horizontal
  * @param {number} side
  */
 function ray(azimuth, side) {
   const a = (azimuth * Math.PI) / 180;
-  const radii = Array.from({ length: 200 }, (_, k) => 0.5 * 120 ** (k / 199));
+  const radii = Array.from({ length: 200 }, (_, k) => 0.01 * 8999 ** (k / 199));
   return new Float64Array(radii.flatMap((r) => [side * r * Math.max(0, Math.cos(a)), r * Math.sin(a)]));
 }
 
@@ -112,10 +123,11 @@ function stroke(pixels, frame, points, color = [255, 255, 255]) {
   }
   for (const [at, share] of cover) {
     const opacity = 0.75 * share;
-    // Where nothing is drawn yet, the line's colour counts alone.
-    const weight = pixels.data[at + 3] === 0 ? 1 : opacity;
+    // Where nothing is drawn yet, white would not be seen, and the line's colour counts alone.
+    const empty = pixels.data[at + 3] === 0;
+    const [weight, drawn] = empty ? [1, DARK] : [opacity, color];
     for (let channel = 0; channel < 3; channel++) {
-      pixels.data[at + channel] += weight * (color[channel] - pixels.data[at + channel]);
+      pixels.data[at + channel] += weight * (drawn[channel] - pixels.data[at + channel]);
     }
     pixels.data[at + 3] = Math.max(pixels.data[at + 3], 255 * opacity);
   }
