@@ -173,6 +173,12 @@ mod tests {
         (0..level.height).flat_map(|row| texels[level.row(row)].to_vec()).collect()
     }
 
+    /// The level's texels with the border.
+    fn all<T: Copy>(texels: &[T], level: &Level) -> Vec<T> {
+        let rows = (0..level.height + 2).map(|row| level.offset + row * level.stride);
+        rows.flat_map(|start| texels[start..start + level.width + 2].to_vec()).collect()
+    }
+
     #[test]
     fn levels_average_light_not_bytes() {
         let checker = [[0, 0, 0, 255], [255, 255, 255, 255], [255, 255, 255, 255], [0, 0, 0, 255]].concat();
@@ -196,9 +202,11 @@ mod tests {
             let pixels = [10, 200, 90, 255].repeat(width * height);
             for wrap in [Wrap::Clamp, Wrap::Repeat, Wrap::Mirror] {
                 let texture = Texture::new(&pixels, width, height, wrap, Light::Linear).unwrap();
-                let same = texture.texels().iter().all(|texel| *texel == [10, 200, 90, 255]);
-                let light = texture.light_texels();
-                assert!(same && light.iter().all(|texel| *texel == light[0]), "{width} x {height}, {wrap:?}");
+                for level in texture.levels() {
+                    let (bytes, light) = (all(texture.texels(), level), all(texture.light_texels(), level));
+                    let same = bytes.iter().all(|texel| *texel == [10, 200, 90, 255]);
+                    assert!(same && light.iter().all(|texel| *texel == light[0]), "{width} x {height}, {wrap:?}");
+                }
             }
         }
     }
@@ -208,7 +216,7 @@ mod tests {
         let pixels = [[1, 0, 0, 255], [2, 0, 0, 255], [3, 0, 0, 255]].concat();
         let border = |wrap| {
             let texture = Texture::new(&pixels, 3, 1, wrap, Light::Plain).unwrap();
-            let row = &texture.texels[5..10];
+            let row = &all(texture.texels(), &texture.levels[0])[5..10];
             [row[0][0], row[4][0]]
         };
         assert_eq!(border(Wrap::Transparent), [0, 0]);
