@@ -137,3 +137,30 @@ fn outlines_are_read_from_text() {
     let refused = JsValue::from(read("M0 0h", "tolerance: 0.1").unwrap_err());
     assert_eq!(Reflect::get(&refused, &"code".into()).unwrap(), "invalid-outline");
 }
+
+#[wasm_bindgen_test]
+fn crops_of_a_large_picture_are_put_together() {
+    // A hundred megapixels, of which no pixel is held.
+    let options = "picture: { center: [0, 0], width: 3, pixels: [12000, 8400] }, fixation: [0.4, 0.3], side: 64";
+    let crops = FoveatedTexture::crops(object::<FoveatedOptions>(options)).unwrap();
+    assert_eq!(crops.len(), 9);
+    let level =
+        |shade: u8| Texture::new(&[shade, 0, 0, 255].repeat(64 * 64), 64, 64, None::<Ts<TextureOptions>>).unwrap();
+    let frame = |crop: &Ts<_>| Ts::new_unchecked(crop.js_value());
+    let mut stack = FoveatedTexture::of(level(10), frame(&crops[0])).unwrap();
+    for (k, crop) in crops.iter().enumerate().skip(1) {
+        stack.add(level(10 + 20 * k as u8), frame(crop)).unwrap();
+    }
+    assert!(stack.levels() == 9 && stack.bytes() < 9 * 64 * 64 * 11, "{} bytes", stack.bytes());
+    // Around the gaze the finest is seen, and far away the widest.
+    let map = model("k: 15, a: 0.69, b: 80").unwrap();
+    let gaze = "picture: { center: [0, 0], width: 3, pixels: [12000, 8400] }, fieldOfView: 100, fixation: [0.4, 0.3]";
+    let image = map.seeing(object::<GazeOptions>(gaze)).unwrap();
+    let view = "{ center: [0.8, 0], width: 0.4, pixels: [3, 1] }";
+    let draw = |view: &str| {
+        let options = object::<DrawOptions>(&format!("texture: {view}, view: {view}"));
+        image.warp_foveated(&stack, options).unwrap().to_vec()
+    };
+    assert_eq!(draw(view)[4..8], [170, 0, 0, 255]);
+    assert_eq!(draw("{ center: [53.3, 0], width: 0.3, pixels: [3, 1] }")[4..8], [10, 0, 0, 255]);
+}
