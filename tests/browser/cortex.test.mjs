@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { middle, openPage, openQuarters, screenshot, settled, startBrowser } from "./support/page.mjs";
+import { chosenPhoto, middle, openPage, openQuarters, screenshot, settled, startBrowser } from "./support/page.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -136,6 +136,31 @@ test("what the cortex recovers is sharp where the eye looks", async () => {
   assert.ok(recovered > 0.5 * face, `the face: ${face} became ${recovered}`);
   assert.ok(lost < 0.4 * badge, `the badge: ${badge} became ${lost}`);
   await screenshot(page, "cortex-recovered");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("a large file keeps its detail where the eye looks", async () => {
+  const { page, errors, close } = await openCortex("#angle=100&lines=0");
+  // Stripes of three pixels in the middle, too fine for a picture scaled to fit a screen.
+  const url = await page.evaluate(() => {
+    const canvas = Object.assign(document.createElement("canvas"), { width: 6000, height: 4000 });
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    context.fillStyle = "#fff";
+    context.fillRect(0, 0, 6000, 4000);
+    context.fillStyle = "#000";
+    for (let x = 2700; x < 3300; x += 6) context.fillRect(x, 1700, 3, 600);
+    return canvas.toDataURL("image/png");
+  });
+  const buffer = Buffer.from(url.slice(url.indexOf(",") + 1), "base64");
+  await page.locator("#file").setInputFiles({ name: "large.png", mimeType: "image/png", buffer });
+  await chosenPhoto(page, "large.png");
+  await settled(page, "ready");
+  assert.match(await page.locator("#evidence").innerText(), /of 5 levels/);
+  // Along the horizontal meridian of the left hemisphere, from the fovea on.
+  const line = (await cortex(page, Array.from({ length: 40 }, (_, k) => [0.505 + 0.002 * k, 0.5]))).samples.map(([red]) => red);
+  assert.ok(Math.max(...line) > 220 && Math.min(...line) < 35, `shades from ${Math.min(...line)} to ${Math.max(...line)}`);
+  await screenshot(page, "cortex-large");
   assert.deepEqual(errors, []);
   await close();
 });
