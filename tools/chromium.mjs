@@ -17,7 +17,7 @@ const usualPlaces = [
   "C:\\Program Files (x86)\\Microsoft\\Edge\\Application\\msedge.exe",
 ];
 
-/** Without these it looks up its maker's hosts at every start. */
+/** Without these it looks up its maker's hosts at every start … */
 const flags = [
   "--disable-gpu",
   "--disable-quic",
@@ -25,6 +25,9 @@ const flags = [
   "--disable-background-networking",
   "--disable-component-update",
   "--disable-sync",
+  // … and has no camera: this one shows a test picture.
+  "--use-fake-device-for-media-stream",
+  "--use-fake-ui-for-media-stream",
 ];
 
 /** The path of a Chromium on this machine: the variable CHROMIUM, a usual place, or Playwright's own download. */

@@ -219,6 +219,25 @@ test("an outline is drawn, read from text and turned by its landmark", async () 
   await close();
 });
 
+test("the camera is seen live", async () => {
+  const { page, errors, close } = await openCortex("#lines=0");
+  await page.locator("#camera").click();
+  await page.waitForFunction(() => /A frame of the camera is drawn in \d+ ms/.test(document.getElementById("evidence")?.textContent ?? ""));
+  const seen = new Set();
+  for (let k = 0; k < 40 && seen.size < 3; k++) {
+    seen.add((await cortex(page)).digest);
+    await page.waitForTimeout(100);
+  }
+  assert.ok(seen.size >= 3, "the picture moves");
+  await screenshot(page, "cortex-camera");
+  await page.locator("#camera").click();
+  await chosenPhoto(page, "Astronaut");
+  await settled(page, "ready");
+  assert.match(await page.locator("#evidence").innerText(), /from a foveated picture/);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 for (const [name, width, height] of /** @type {const} */ ([["desktop", 1440, 900], ["laptop", 1280, 720], ["phone", 390, 844]])) {
   test(`${name}: nothing is cut off`, async () => {
     const { page, errors, close } = await openCortex("", { viewport: { width, height } });

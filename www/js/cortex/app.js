@@ -9,6 +9,7 @@ import { element, mark, say, sayBroken, saveCanvas } from "../common/page.js";
 import { photos } from "../common/photos.js";
 import { Probe } from "../common/probe.js";
 import { pixelOf } from "../common/svg.js";
+import { Camera, CAMERA } from "./camera.js";
 import { Eye } from "./eye.js";
 import { isOutline, MEASURED, models, ownOutline, specOf } from "./models.js";
 import { CortexPanel } from "./panel.js";
@@ -43,6 +44,10 @@ let picture = await loadPicture(state.image).catch(() => loadPicture(USUAL.image
 /** One a panel. @type {Eye[]} */
 let eyes = [];
 let version = 0;
+/** What is seen at the moment, if that is the camera. @type {Camera | null} */
+let camera = null;
+/** The hemispheres' frames for the camera's pictures. @type {import("../common/frame.js").Frame[]} */
+let liveViews = [];
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let resting;
 
@@ -173,6 +178,11 @@ function request(fine) {
   const { models, fieldOfView, fixation, dots } = state;
   const sharpness = fine ? 1 : DRAFT;
   const [{ view }] = panels;
+  if (camera) {
+    liveViews = view.views(sharpness);
+    camera.prepare(eyes, liveViews);
+    return;
+  }
   lane.setPicture(picture);
   lane.request({
     version: ++version,
@@ -199,6 +209,27 @@ function receive(reply) {
   say("", "ready");
 }
 
+/** The camera's newest frame, everywhere. */
+function drawLive() {
+  if (!camera || !liveViews.length) return;
+  const begin = performance.now();
+  camera.draw().forEach((pixels, k) => panels[k].view.paint(pixels, liveViews));
+  seen.drawPhoto(camera.picture);
+  element("evidence").textContent = `${MEASURED} A frame of the camera is drawn in ${Math.max(1, Math.round(performance.now() - begin))} ms.`;
+  say("", "ready");
+}
+
+async function switchCamera() {
+  if (camera) return open(loadPicture(USUAL.image));
+  try {
+    camera = await Camera.open(drawLive);
+    picture = camera.picture;
+    change({ image: CAMERA, fixation: [0, 0], dots: 0 });
+  } catch (error) {
+    say(error instanceof Error ? error.message : String(error), "invalid");
+  }
+}
+
 function connect() {
   const image = /** @type {HTMLSelectElement} */ (element("choose-photo"));
   image.append(...Object.entries(photos).map(([id, { title }]) => new Option(title, id)));
@@ -210,6 +241,7 @@ function connect() {
   dots.onchange = () => change({ dots: Number(dots.value) });
   element("lines").onclick = () => change({ lines: !state.lines });
   element("circles").onclick = () => change({ circles: !state.circles });
+  element("camera").onclick = switchCamera;
   element("save").onclick = () => saveCanvas(panels[0].view.canvas, "cortex.png");
   const file = /** @type {HTMLInputElement} */ (element("file"));
   element("open").onclick = () => file.click();
@@ -253,6 +285,8 @@ function fixate([x, y]) {
 async function open(loading) {
   try {
     picture = await loading;
+    camera?.close();
+    camera = null;
     change({ image: picture.id, fixation: picture.id === USUAL.image ? USUAL.fixation : [0, 0] });
   } catch (error) {
     say(error instanceof Error ? error.message : String(error), "invalid");
@@ -261,11 +295,15 @@ async function open(loading) {
 
 function updateControls() {
   const image = /** @type {HTMLSelectElement} */ (element("choose-photo"));
+  if (!camera) [...image.options].find(({ value }) => value === CAMERA)?.remove();
   if (![...image.options].some(({ value }) => value === picture.id)) image.append(new Option(picture.title, picture.id));
   image.value = picture.id;
   /** @type {HTMLInputElement} */ (element("field-of-view")).value = String(state.fieldOfView);
   element("angle").textContent = `${state.fieldOfView}°`;
-  /** @type {HTMLSelectElement} */ (element("dots")).value = String(state.dots);
+  const dots = /** @type {HTMLSelectElement} */ (element("dots"));
+  dots.value = String(state.dots);
+  dots.disabled = camera !== null;
+  element("camera").setAttribute("aria-pressed", String(camera !== null));
   element("lines").setAttribute("aria-pressed", String(state.lines));
   element("circles").setAttribute("aria-pressed", String(state.circles));
 }

@@ -6,6 +6,7 @@ import { cortexOf, HEMISPHERES } from "./maps.js";
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./models.js").Spec} Spec */
+/** @typedef {import("../../pkg/index.js").Texture} Texture */
 /** A line of the visual field, on the picture and on the cortex. @typedef {{ name: string, picture: Point[], cortex: Point[] }} Line */
 
 /** The edge of the field, just inside where the maps end. */
@@ -70,6 +71,11 @@ export class Eye {
       image.free();
       cortex.free();
     }
+  }
+
+  /** The warps of a picture that changes, one a hemisphere. @param {Texture} texture @param {Frame} frame @param {Frame[]} views */
+  prepare(texture, frame, views) {
+    return this.#halves.map(({ image }, k) => image.prepareWarp(texture, { texture: frame, view: views[k] }));
   }
 
   /** @param {Point} point of the cortex */

@@ -74,7 +74,7 @@ export class SeenView extends LinedView {
   /** @param {import("../common/images.js").Picture} picture @param {Point} fixation @param {Line[]} lines @param {Line[]} circles @param {boolean} bare whether the photo itself is to be drawn */
   show(picture, fixation, lines, circles, bare) {
     this.fitTo(picture.frame);
-    if (bare) this.#drawPhoto(picture);
+    if (bare) this.drawPhoto(picture);
     const [x, y] = toPixels(this.frame, fixation);
     set(this.#fixation, { transform: `translate(${x} ${y})` });
     const [w, h] = this.frame.pixels;
@@ -93,7 +93,7 @@ export class SeenView extends LinedView {
   }
 
   /** @param {import("../common/images.js").Picture} picture */
-  #drawPhoto({ canvas }) {
+  drawPhoto({ canvas }) {
     const [width, height] = this.grid(1);
     Object.assign(this.#canvas, { width, height });
     const context = this.#canvas.getContext("2d");
@@ -154,10 +154,17 @@ export class CortexView extends LinedView {
   /** @param {Point[][]} outlines @param {Line[]} lines @param {Line[]} circles @param {Landmark | null} landmark */
   show(outlines, lines, circles, landmark) {
     set(this.#outlines, { d: outlines.map((line) => pathData(line.map((p) => toPixels(this.frame, p)), true)).join("") });
-    const named = lines.flatMap(({ name, cortex }) => {
+    /** @type {[string, Point][]} */
+    const named = [];
+    let last = Infinity;
+    for (const { name, cortex } of lines) {
       const middle = cortex[Math.floor(cortex.length / 2)];
-      return name && middle ? [/** @type {[string, Point]} */ ([name, middle])] : [];
-    });
+      if (!name || !middle) continue;
+      const [x] = toPixels(this.frame, middle);
+      if (Math.abs(x - last) < NAME_WIDTH) continue;
+      last = x;
+      named.push([name, middle]);
+    }
     this.drawLines(lines.map(({ cortex }) => cortex), named, circles.map(({ cortex }) => cortex));
     set(this.#landmark, { visibility: landmark ? "visible" : "hidden" });
     if (landmark) this.#showLandmark(landmark);
