@@ -94,6 +94,25 @@ fn areas_and_extents_are_those_of_the_dipole() {
     assert!((length / expected - 1.0).abs() < 1e-3, "{length} mm, not {expected}");
 }
 
+/// There and back through all three steps, and through each alone.
+#[test]
+fn the_steps_and_the_chain_invert() {
+    let map = chain(400, 1e-8);
+    let back = jets(&(&map).inverted(), &jets(&map, &field()).iter().map(|jet| jet.value).collect::<Vec<_>>());
+    let whole = largest(back.iter().zip(field()).map(|(back, s)| (back.value - s).norm()));
+    let disk: Vec<Complex64> = jets(map.half_disk(), &field()).iter().map(|jet| jet.value).collect();
+    let step = |there: Vec<Jet>, back: &dyn Fn(&[Complex64]) -> Vec<Jet>, from: &[Complex64]| {
+        let back = back(&there.iter().map(|jet| jet.value).collect::<Vec<_>>());
+        largest(back.iter().zip(from).map(|(back, from)| (back.value - from).norm()))
+    };
+    let half_disk = step(jets(map.half_disk(), &field()), &|z| jets(&map.half_disk().inverted(), z), &field());
+    let outline = step(jets(&map.outline().inverted(), &disk), &|z| jets(map.outline(), z), &disk);
+    let directions: Vec<FieldPoint> = field().into_iter().map(FieldPoint::from_coordinate).collect();
+    let sphere = largest(directions.iter().zip(field()).map(|(point, s)| (point.coordinate() - s).norm()));
+    println!("sphere {sphere:.0e}, half disk {half_disk:.0e}, outline {outline:.0e}, all of it {whole:.0e}");
+    assert!([sphere, half_disk, outline, whole].iter().all(|&error| error < 1e-12));
+}
+
 /// The cortical picture itself: the closed form and Symm's chain draw the same pixels.
 #[test]
 fn both_draw_the_same_picture() {
