@@ -272,16 +272,21 @@ impl Sum<'_> {
         self.coefficients[0] += constant;
         let (mut pre, mut pim) = ([0.0; MAX_NODES], [0.0; MAX_NODES]);
         pre[..m].copy_from_slice(masses);
+        let lanes = m.next_multiple_of(LANES);
         for coefficient in &mut self.coefficients[1..] {
-            let (mut re, mut im) = (0.0, 0.0);
-            for j in 0..m {
-                let (a, b) = (pre[j], pim[j]);
-                pre[j] = a * ure[j] - b * uim[j];
-                pim[j] = a * uim[j] + b * ure[j];
-                re += pre[j];
-                im += pim[j];
+            // Several sums side by side, which the compiler keeps in vectors.
+            let (mut re, mut im) = ([0.0; LANES], [0.0; LANES]);
+            for j in (0..lanes).step_by(LANES) {
+                for i in 0..LANES {
+                    let (a, b) = (pre[j + i], pim[j + i]);
+                    let (c, d) = (ure[j + i], uim[j + i]);
+                    pre[j + i] = a * c - b * d;
+                    pim[j + i] = a * d + b * c;
+                    re[i] += pre[j + i];
+                    im[i] += pim[j + i];
+                }
             }
-            *coefficient += Complex64::new(re, im);
+            *coefficient += Complex64::new(re.iter().sum(), im.iter().sum());
         }
     }
 
@@ -302,30 +307,41 @@ impl Sum<'_> {
             (re[k], im[k]) = (u.re, u.im);
         }
         self.coefficients[0] += constant;
-        let count = multipole.len() - 1;
+        // A few more than are wanted, so that they fill vectors.
+        let orders = (self.coefficients.len() - 1).next_multiple_of(LANES);
+        let (mut sum_re, mut sum_im) = ([0.0; MAX_COEFFICIENTS], [0.0; MAX_COEFFICIENTS]);
+        let (sum_re, sum_im) = (&mut sum_re[..orders], &mut sum_im[..orders]);
+        for (k, row) in binomials.chunks_exact(MAX_COEFFICIENTS).take(multipole.len() - 1).enumerate() {
+            let (re, im) = (re[k], im[k]);
+            for ((sum_re, sum_im), binomial) in sum_re.iter_mut().zip(&mut *sum_im).zip(&row[..orders]) {
+                *sum_re += binomial * re;
+                *sum_im += binomial * im;
+            }
+        }
         let mut power = Complex64::ONE;
-        for (coefficient, row) in self.coefficients[1..].iter_mut().zip(binomials.chunks_exact(MAX_TERMS)) {
+        for (l, coefficient) in self.coefficients[1..].iter_mut().enumerate() {
             power *= unit;
-            let dot = |x: &[f64]| row[..count].iter().zip(x).map(|(b, x)| b * x).sum::<f64>();
-            *coefficient += power * (charge - Complex64::new(dot(&re), dot(&im)));
+            *coefficient += power * (charge - Complex64::new(sum_re[l], sum_im[l]));
         }
     }
 }
 
+/// Numbers that are worked on side by side.
+const LANES: usize = 4;
 /// More terms of a multipole expansion than 16 digits need.
 const MAX_TERMS: usize = 48;
 /// More coefficients than anybody asks for.
 const MAX_COEFFICIENTS: usize = 40;
 
-/// Row l − 1, column k − 1: l·C(k+l−1, l). Around a center at distance D, (z − b)^(−k) has the coefficients
+/// Row k − 1, column l − 1: l·C(k+l−1, l). Around a center at distance D, (z − b)^(−k) has the coefficients
 /// (−1)ˡ C(k+l−1, l)/D^(k+l).
 fn binomials() -> Vec<f64> {
-    let mut rows = vec![0.0; (MAX_COEFFICIENTS - 1) * MAX_TERMS];
+    let mut rows = Vec::with_capacity(MAX_TERMS * MAX_COEFFICIENTS);
     for k in 1..=MAX_TERMS {
         let mut choose = 1.0;
-        for l in 1..MAX_COEFFICIENTS {
+        for l in 1..=MAX_COEFFICIENTS {
             choose *= (k + l - 1) as f64 / l as f64;
-            rows[(l - 1) * MAX_TERMS + k - 1] = l as f64 * choose;
+            rows.push(l as f64 * choose);
         }
     }
     rows

@@ -9,6 +9,8 @@ pub struct Fit {
     pub diameter: Vec<f64>,
     /// Where values on the arc are wanted, from right to left.
     pub arc: Vec<Complex64>,
+    /// What samples on the arc should err by at most.
+    pub accuracy: f64,
     /// Row-major: coefficients from values on the diameter, then real and imaginary parts of those on the arc.
     solve: Vec<f64>,
 }
@@ -17,9 +19,9 @@ pub struct Fit {
 const ARC_START: f64 = 0.5;
 
 impl Fit {
-    /// Prepares fits of degree n.
+    /// Prepares fits of degree n from samples of some accuracy.
     #[must_use]
-    pub fn new(degree: usize) -> Self {
+    pub fn new(degree: usize, accuracy: f64) -> Self {
         let on_diameter = degree + 4;
         let chebyshev = |j: usize| ((j as f64 + 0.5) / on_diameter as f64 * std::f64::consts::PI).cos();
         let diameter: Vec<f64> = (0..on_diameter).map(chebyshev).collect();
@@ -34,7 +36,7 @@ impl Fit {
         rows.extend(part(|z| z.re));
         rows.extend(part(|z| z.im));
         let solve = pseudo_inverse(&rows, degree);
-        Self { diameter, arc, solve }
+        Self { diameter, arc, accuracy, solve }
     }
 
     /// The coefficients c₁ … cₙ.
@@ -82,7 +84,7 @@ mod tests {
 
     #[test]
     fn reproduces_functions_with_singularities_outside() {
-        let fit = Fit::new(24);
+        let fit = Fit::new(24, 1e-12);
         let f = |t: Complex64| (1.0 - 0.4 * t).powf(0.4) - 1.0 + (1.0 + 0.1 * t * t).ln();
         let on_diameter: Vec<f64> = fit.diameter.iter().map(|&x| f(Complex64::new(x, 0.0)).re).collect();
         let on_arc: Vec<Complex64> = fit.arc.iter().map(|&t| f(t)).collect();

@@ -2,7 +2,7 @@
 
 use super::Accuracy;
 use super::atlas::{Atlas, MAX_COEFFICIENTS};
-use super::power_series::revert;
+use super::power_series::{rescale, revert};
 use super::region_side::RegionSide;
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
@@ -195,11 +195,8 @@ fn inverse_of(series: &[Complex64], middle: Complex64, reach: f64, radius: f64) 
     let count = series.len();
     let mut coefficients = [Complex64::ZERO; MAX_COEFFICIENTS];
     revert(&series[1..], &mut coefficients[1..count]);
-    let mut power = reach;
-    for coefficient in &mut coefficients[1..count] {
-        power *= radius;
-        *coefficient *= power;
-    }
+    coefficients[1..count].iter_mut().for_each(|c| *c *= reach);
     coefficients[0] = middle;
+    rescale(&mut coefficients[..count], radius);
     InverseCell { center: series[0], radius, coefficients, count }
 }

@@ -68,7 +68,7 @@ impl Accuracy {
 
     /// Most coefficients of a cell's polynomial.
     fn cell_terms(self) -> usize {
-        (6 + self.digits() as usize).min(20)
+        (12 + self.digits() as usize).min(24)
     }
 
     /// How many coefficients are needed for a tolerance; `None` if there are too few.

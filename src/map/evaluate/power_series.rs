@@ -39,6 +39,15 @@ pub fn real_value_and_slope(coefficients: &[f64], t: Complex64) -> (Complex64, C
     (sum * t, slope * t + sum)
 }
 
+/// Replaces the series in t by one in t/`factor`.
+pub fn rescale(coefficients: &mut [Complex64], factor: f64) {
+    let mut power = 1.0;
+    for c in coefficients {
+        *c *= power;
+        power *= factor;
+    }
+}
+
 /// Replaces the series a by exp(a − a₀).
 pub fn exp_without_constant(a: &[Complex64], result: &mut [Complex64]) {
     result[0] = Complex64::ONE;

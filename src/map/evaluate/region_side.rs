@@ -3,7 +3,7 @@
 use super::atlas::{Atlas, MAX_COEFFICIENTS};
 use super::fit::Fit;
 use super::patch::Patch;
-use super::power_series::{value, value_and_slope};
+use super::power_series::{rescale, value, value_and_slope};
 use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step};
 use super::walls::Nearest;
 use super::{Accuracy, Leaf};
@@ -92,10 +92,10 @@ pub struct Patches {
 }
 
 impl Patches {
-    fn new(boundary: &Arc<Boundary>, degree: usize) -> Self {
+    fn new(boundary: &Arc<Boundary>, accuracy: Accuracy) -> Self {
         Self {
             boundary: Arc::clone(boundary),
-            fit: Arc::new(Fit::new(degree)),
+            fit: Arc::new(Fit::new(accuracy.patch_degree(), accuracy.tolerance)),
             numbers: HashMap::new(),
             list: Vec::new(),
         }
@@ -136,9 +136,12 @@ pub struct RegionSide {
 }
 
 /// A cell's polynomial is tried where its radius is at most this share of the distance to the wall,
-const SHARE_OF_WALL: f64 = 0.6;
+const SHARE_OF_WALL: f64 = 0.9;
 /// and this one of the distance to a corner where the map is singular.
-const SHARE_OF_CORNER: f64 = 0.45;
+const SHARE_OF_CORNER: f64 = 0.6;
+/// Sources are summed for a disk of at most this share of the distance to the wall: nearer to it they would have to be cut
+/// small. The map's own series goes on beyond.
+const SHARE_OF_SUM: f64 = 0.5;
 /// A chart is trusted where its |f'| × the region's size is at least this.
 const LEAST_SLOPE: f64 = 0.05;
 /// More cells than this are not made; what is left is summed directly.
@@ -150,7 +153,7 @@ impl RegionSide {
     pub fn new(boundary: &Arc<Boundary>, atlas: &mut Atlas, accuracy: Accuracy) -> Self {
         let (center, half) = bounds(boundary);
         let mut tree = Quadtree::new(center, half);
-        let patches = Patches::new(boundary, accuracy.patch_degree());
+        let patches = Patches::new(boundary, accuracy);
         let mut builder = Builder {
             boundary: Arc::clone(boundary),
             accuracy,
@@ -304,7 +307,9 @@ impl Builder {
         let radius = square.half * std::f64::consts::SQRT_2;
         let mut coefficients = [Complex64::ZERO; MAX_COEFFICIENTS];
         let coefficients = &mut coefficients[..self.accuracy.cell_terms()];
-        let chart = atlas.expand_best(self.hint, square.center, radius, coefficients);
+        let unit = radius.min(SHARE_OF_SUM * clear);
+        let chart = atlas.expand_best(self.hint, square.center, unit, coefficients);
+        rescale(coefficients, radius / unit);
         self.hint = chart;
         let slope = coefficients[1].norm() / radius * self.size;
         if !self.trusts(slope) {
