@@ -149,7 +149,7 @@ fn outside_is_nan_and_the_boundary_goes_to_the_boundary() {
 
 #[test]
 fn derivatives_agree_with_central_differences() {
-    for region in [l_shape(), case("sc_9_103").region(), case("blob100").region()] {
+    for region in EXACT_CASES.map(|name| case(name).region()).into_iter().chain([l_shape(), case("blob100").region()]) {
         let map = solve(&region, 1e-10);
         let h = 1e-4 * region.polygon().size();
         let z: Vec<Complex64> = interior_points(&region, 500)
@@ -167,26 +167,50 @@ fn derivatives_agree_with_central_differences() {
     }
 }
 
+/// The images of a fine grid's cells keep their orientation: no sign change of the Jacobian, no fold.
+fn assert_injective(name: &str, map: &RiemannMap, within: f64) {
+    let region = map.region();
+    let (low, high) = region.polygon().bounds();
+    let n = 300;
+    let step = (high - low) / f64::from(n);
+    let place = |i: f64, j: f64| low + c(step.re * i, step.im * j);
+    let grid: Vec<Complex64> = (0..=n).flat_map(|j| (0..=n).map(move |i| place(f64::from(i), f64::from(j)))).collect();
+    let w = map.to_disk(&grid);
+    let at = |i: i32, j: i32| w[(j * (n + 1) + i) as usize];
+    let clear = |i: i32, j: i32| {
+        let middle = place(f64::from(i) + 0.5, f64::from(j) + 0.5);
+        (middle - region.center()).norm() < within
+            && region.contains(middle)
+            && (region.polygon().nearest(middle).point - middle).norm() > 0.51 * step.norm()
+    };
+    let cells: Vec<_> = (0..n).flat_map(|j| (0..n).map(move |i| (i, j))).filter(|&(i, j)| clear(i, j)).collect();
+    assert!(cells.len() > 300, "{name}: {} cells", cells.len());
+    for (i, j) in cells {
+        let [a, b, d, e] = [at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)];
+        for (a, b, d) in [(a, b, d), (e, d, b)] {
+            assert!(((b - a).conj() * (d - a)).im > 0.0, "{name}, cell {i}, {j}: {a} {b} {d}");
+        }
+    }
+}
+
 #[test]
 fn orientation_is_kept_everywhere() {
-    for region in [l_shape(), case("sc_24_105").region()] {
-        let map = solve(&region, 1e-8);
-        let (low, high) = region.polygon().bounds();
-        let n = 300;
-        let step = (high - low) / f64::from(n);
-        let grid: Vec<Complex64> = (0..=n)
-            .flat_map(|j| (0..=n).map(move |i| low + c(step.re * f64::from(i), step.im * f64::from(j))))
-            .collect();
-        let w = map.to_disk(&grid);
-        let at = |i: i32, j: i32| w[(j * (n + 1) + i) as usize];
-        let clear = |i: i32, j: i32| {
-            let middle = low + c(step.re * (f64::from(i) + 0.5), step.im * (f64::from(j) + 0.5));
-            region.contains(middle) && (region.polygon().nearest(middle).point - middle).norm() > 0.51 * step.norm()
-        };
-        for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))).filter(|&(i, j)| clear(i, j)) {
-            let [a, b, d] = [at(i, j), at(i + 1, j), at(i, j + 1)];
-            let area = ((b - a).conj() * (d - a)).im;
-            assert!(area > 0.0, "cell {i}, {j}: {a} {b} {d}");
+    let mut regions: Vec<(&str, Region)> = EXACT_CASES.iter().map(|name| (*name, case(name).region())).collect();
+    regions.extend([("square", square()), ("L", l_shape()), ("blob100", case("blob100").region())]);
+    for (name, region) in regions {
+        assert_injective(name, &solve(&region, 1e-8), f64::INFINITY);
+    }
+    // Of long regions every part, seen from a center near it: one circle cannot show them whole.
+    for (name, centers) in [("neck", [-1.5, 0.0, 1.5]), ("rect20", [-17.0, 0.0, 17.0])] {
+        let map = solve(&case(name).region(), 1e-10);
+        for x in centers {
+            let near = map.with_center(c(x, 0.0), map.region().toward().point, &mut |_, _| true).unwrap();
+            let within = match (name, x) {
+                ("neck", 0.0) => 0.4,
+                ("neck", _) => 1.3,
+                _ => 3.5,
+            };
+            assert_injective(name, &near, within);
         }
     }
 }

@@ -90,7 +90,7 @@ fn geometric_in_the_nodes_of_a_smooth_curve() {
         let options = SolveOptions { tolerance: 1e-14, max_unknowns: 100 };
         let map = RiemannMap::solve(&region, &options, &mut |_, _| true).unwrap();
         assert_eq!((map.stop(), map.unknowns()), (Stop::MaxUnknowns, n as usize));
-        let exact = points.iter().map(|z| exact::ellipse(5.0, 1.0, *z).arg());
+        let exact = points.iter().map(|z| exact::ellipse(5.0, 1.0, *z).0.arg());
         largest(map.angles().iter().zip(exact).map(|(a, b)| angle_error(*a, b)))
     });
     for pair in errors.windows(2) {

@@ -23,6 +23,13 @@ pub fn short_side_measure(a: f64) -> f64 {
     (one_minus_k / (2.0 * k.sqrt())).atan() / PI
 }
 
+/// f'(0) of [−a, a] × [−1, 1], real and positive: |u'|/(2 Im u₀) = K(1+k)/(2a) for u as above, 2K/π = θ₃², k = (θ₂/θ₃)².
+pub fn rectangle_slope(a: f64) -> f64 {
+    let (theta2, theta3) = thetas((-2.0 * PI / a).exp());
+    let k = (theta2 / theta3).powi(2);
+    FRAC_PI_2 * theta3.powi(2) * (1.0 + k) / (2.0 * a)
+}
+
 /// The regular n-gon with circumradius 1, and its conformal radius Γ(1−1/n)/(Γ(1+1/n)Γ(1−2/n)) from tables.
 pub fn regular(n: usize) -> Region {
     let vertices: Vec<_> = (0..n).map(|k| Complex64::cis(TAU * k as f64 / n as f64)).collect();
@@ -43,19 +50,26 @@ fn thetas(q: f64) -> (f64, f64) {
     (theta2, theta3)
 }
 
-/// The map of the ellipse with semi-axes a > b, 0 ↦ 0, a ↦ 1: √k·sn((2K/π) asin(z/c)) = θ₁(asin(z/c))/θ₄(asin(z/c)).
-pub fn ellipse(a: f64, b: f64, z: Complex64) -> Complex64 {
+/// The map of the ellipse with semi-axes a > b, 0 ↦ 0, a ↦ 1, and its derivative:
+/// √k·sn((2K/π) asin(z/c)) = θ₁(asin(z/c))/θ₄(asin(z/c)).
+pub fn ellipse(a: f64, b: f64, z: Complex64) -> (Complex64, Complex64) {
     let q = ((a - b) / (a + b)).powi(2);
-    let v = (z / (a * a - b * b).sqrt()).asin();
-    let mut theta1 = Complex64::ZERO;
-    let mut theta4 = Complex64::new(1.0, 0.0);
+    let c = (a * a - b * b).sqrt();
+    let v = (z / c).asin();
+    let (mut theta1, mut theta4) = (Complex64::ZERO, Complex64::ONE);
+    let (mut slope1, mut slope4) = (Complex64::ZERO, Complex64::ZERO);
     for n in 0..40 {
         let sign = if n % 2 == 0 { 2.0 } else { -2.0 };
         let order = f64::from(n);
-        theta1 += (v * (2.0 * order + 1.0)).sin() * (sign * q.powf((order + 0.5).powi(2)));
+        let (odd, even) = (2.0 * order + 1.0, 2.0 * order);
+        theta1 += (v * odd).sin() * (sign * q.powf((order + 0.5).powi(2)));
+        slope1 += (v * odd).cos() * (odd * sign * q.powf((order + 0.5).powi(2)));
         if n > 0 {
-            theta4 += (v * (2.0 * order)).cos() * (sign * q.powi(n * n));
+            theta4 += (v * even).cos() * (sign * q.powf(order * order));
+            slope4 -= (v * even).sin() * (even * sign * q.powf(order * order));
         }
     }
-    theta1 / theta4
+    let slope = (slope1 * theta4 - theta1 * slope4) / (theta4 * theta4);
+    // dv/dz.
+    (theta1 / theta4, slope / (c * v.cos()))
 }
