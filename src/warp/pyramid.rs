@@ -120,8 +120,32 @@ fn each_coarser(
     }
 }
 
-/// Averages a level, given by its rows, into `coarse`: rows first, into a line of sums, then columns.
+/// Averages a level, given by its rows, into `coarse`.
 fn halve([width, height]: [usize; 2], read: impl Fn(usize, &mut [LightTexel]), coarse: &mut [LightTexel]) {
+    if width.is_multiple_of(2) && height.is_multiple_of(2) {
+        halve_evenly(width, read, coarse);
+    } else {
+        halve_by_weights([width, height], read, coarse);
+    }
+}
+
+/// Of even sizes, each texel is the mean of four.
+fn halve_evenly(width: usize, read: impl Fn(usize, &mut [LightTexel]), coarse: &mut [LightTexel]) {
+    let mut lines = vec![[0; 4]; 2 * width];
+    let (upper, lower) = lines.split_at_mut(width);
+    for (row, target) in coarse.chunks_exact_mut(width / 2).enumerate() {
+        read(2 * row, upper);
+        read(2 * row + 1, lower);
+        let pairs = upper.as_chunks::<2>().0.iter().zip(lower.as_chunks::<2>().0);
+        for (texel, ([a, b], [c, d])) in target.iter_mut().zip(pairs) {
+            let sum = |channel: usize| [a, b, c, d].into_iter().map(|tap| i32::from(tap[channel])).sum::<i32>();
+            *texel = [0, 1, 2, 3].map(|channel| ((sum(channel) + 2) >> 2) as i16);
+        }
+    }
+}
+
+/// Of any sizes: rows first, into a line of sums, then columns.
+fn halve_by_weights([width, height]: [usize; 2], read: impl Fn(usize, &mut [LightTexel]), coarse: &mut [LightTexel]) {
     let (columns, rows) = (Halving::new(width), Halving::new(height));
     let mut line = vec![[0; 4]; width];
     let mut sums = vec![[0.0_f32; 4]; width];

@@ -92,7 +92,12 @@ impl Texture {
         self.light_texels.take();
         for (row, pixels) in rgba.chunks_exact(4 * self.levels[0].width).enumerate() {
             let line = &mut self.texels[self.levels[0].row(row)];
-            line.iter_mut().zip(pixels.as_chunks().0).for_each(|(texel, pixel)| *texel = premultiplied(*pixel));
+            let pixels = pixels.as_chunks().0;
+            if pixels.iter().fold(255, |alpha, pixel| alpha & pixel[3]) == 255 {
+                line.copy_from_slice(pixels);
+            } else {
+                line.iter_mut().zip(pixels).for_each(|(texel, &pixel)| *texel = premultiplied(pixel));
+            }
         }
         pyramid::build(&mut self.texels, &self.levels, self.wrap, self.light.tables());
     }
