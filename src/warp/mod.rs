@@ -33,6 +33,7 @@ mod source_mesh;
 mod strip;
 mod texel;
 mod texture;
+mod union;
 
 pub use foveated::FoveatedTexture;
 pub use light::Light;

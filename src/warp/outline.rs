@@ -1,6 +1,7 @@
 //! The outline of a set of triangles: its edges, and how much of each pixel lies inside.
 
 use super::strip::Strip;
+use super::union::{self, Piece};
 
 /// An edge of the outline: its ends and the triangle that it bounds, which lies to its left (y down: to its right).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +57,8 @@ pub(super) fn outline(nodes: usize, triangles: &[[u32; 3]]) -> Vec<OutlineEdge> 
 pub(super) struct Coverage {
     cells: Vec<f32>,
     touched: Vec<bool>,
+    /// The edges again, for rows in which sheets overlap.
+    pieces: Vec<Piece>,
     width: usize,
     first_row: usize,
     rows: usize,
@@ -67,6 +70,7 @@ impl Coverage {
         Self {
             cells,
             touched: vec![false; strip.rows],
+            pieces: Vec::new(),
             width: strip.width,
             first_row: strip.first_row,
             rows: strip.rows,
@@ -86,7 +90,9 @@ impl Coverage {
             let (enter, leave) = (y0.max(row as f64), y1.min(row as f64 + 1.0));
             let at = |y: f64| x0 + (y - y0) * slope;
             let (start, end) = if y1 > y0 { (at(enter), at(leave)) } else { (x0, x1) };
-            let row = row - self.first_row;
+            let (top, row) = (row as f64, row - self.first_row);
+            let (heights, sheets) = ([enter - top, leave - top], if sign > 0.0 { 1 } else { -1 });
+            self.pieces.push(Piece { row, heights, columns: [start, end], sheets });
             self.add_piece(row, start, end, sign * (leave - enter));
             let limit = |x: f64| x.clamp(0.0, self.width as f64) as usize;
             visit(row, limit(start.min(end).floor())..limit(start.max(end).floor() + 1.0));
@@ -108,10 +114,8 @@ impl Coverage {
             cells[0] += (height * share(left, right.min(0.0))) as f32;
         }
         let (mut x, to) = (left.max(0.0), right.min(limit));
-        if right <= left && left >= 0.0 && left < limit {
-            let inside = left.floor() + 1.0 - left;
-            cells[left as usize] += (height * inside) as f32;
-            cells[left as usize + 1] += (height * (1.0 - inside)) as f32;
+        if right <= left && left >= 0.0 {
+            add_upright(cells, left, height);
         }
         while x < to {
             let cell = x.floor();
@@ -125,18 +129,53 @@ impl Coverage {
     }
 
     /// Adds the pixels (row, column, share) that lie neither wholly inside nor wholly outside to `shares`.
-    pub fn partial(&self, shares: &mut Vec<(usize, usize, f32)>) {
-        for (row, cells) in self.cells.chunks_exact(self.width + 2).enumerate().filter(|(row, _)| self.touched[*row]) {
-            let mut sum = 0.0_f32;
-            for (column, cell) in cells[..self.width].iter().enumerate() {
-                sum += cell;
-                let share = sum.abs();
-                // Rounding of the running sum must not dim what is wholly covered.
-                if share < 1.0 - 1.0 / 1024.0 {
+    pub fn partial(&mut self, shares: &mut Vec<(usize, usize, f32)>) {
+        /// Rounding of the running sum must not dim what is wholly covered, nor look like a second sheet.
+        const ROUNDING: f32 = 1.0 / 1024.0;
+        let touched: Vec<usize> = (0..self.rows).filter(|&row| self.touched[row]).collect();
+        touched.iter().for_each(|&row| self.sum_up(row));
+        let overlaps = touched.iter().any(|&row| self.row(row).iter().any(|&share| share > 1.0 + ROUNDING));
+        if overlaps {
+            self.pieces.sort_by_key(|piece| piece.row);
+        }
+        for row in touched {
+            let together = overlaps.then(|| {
+                let pieces = self.pieces.partition_point(|piece| piece.row < row);
+                let end = self.pieces.partition_point(|piece| piece.row <= row);
+                union::shares(&self.pieces[pieces..end], self.width)
+            });
+            for (column, &own) in self.row(row).iter().enumerate() {
+                let share = together.as_ref().and_then(|together| together[column]).unwrap_or(own);
+                if share < 1.0 - ROUNDING {
                     shares.push((row, column, share));
                 }
             }
         }
+    }
+
+    fn row(&self, row: usize) -> &[f32] {
+        &self.cells[row * (self.width + 2)..][..self.width]
+    }
+
+    /// Turns a row's cells into the area that the sheets cover, each counted for itself.
+    fn sum_up(&mut self, row: usize) {
+        let mut sum = 0.0_f32;
+        for cell in &mut self.cells[row * (self.width + 2)..][..self.width] {
+            sum += *cell;
+            *cell = sum.abs();
+        }
+    }
+}
+
+/// Adds an upright edge at column x, `height` high, to a row of cells: to its own cell the part on its right, to the next
+/// one the rest, and so to the running sum of all further ones.
+pub(super) fn add_upright(cells: &mut [f32], x: f64, height: f64) {
+    let x = x.max(0.0);
+    let cell = x as usize;
+    if cell + 2 < cells.len() {
+        let inside = x.floor() + 1.0 - x;
+        cells[cell] += (height * inside) as f32;
+        cells[cell + 1] += (height * (1.0 - inside)) as f32;
     }
 }
 
@@ -164,6 +203,16 @@ mod tests {
     fn a_rectangle_between_pixels_covers_by_area() {
         let alpha = coverage_of(&[[0.5, 0.0], [2.25, 0.0], [2.25, 1.5], [0.5, 1.5]], 4, 2);
         assert_eq!(alpha, [128, 255, 64, 0, 64, 128, 32, 0]);
+    }
+
+    #[test]
+    fn sheets_cover_their_union_once() {
+        let twice = [[0.5, 0.0], [2.25, 0.0], [2.25, 1.5], [0.5, 1.5]].repeat(2);
+        assert_eq!(coverage_of(&twice, 4, 2), [128, 255, 64, 0, 64, 128, 32, 0]);
+        // The second sheet is wider by a pixel, and ends where the first does.
+        let steps =
+            [[0.5, 0.0], [2.25, 0.0], [2.25, 1.0], [0.5, 1.0], [0.5, 0.0], [3.25, 0.0], [3.25, 1.0], [0.5, 1.0]];
+        assert_eq!(coverage_of(&steps, 4, 1), [128, 255, 255, 64]);
     }
 
     #[test]
