@@ -47,19 +47,24 @@ impl FieldPoint {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Degrees;
 
-/// The jet of ρe^{iθ} → g(ρ)e^{iθ}, from g(ρ)/ρ and g'(ρ).
-fn radial(z: Complex64, ratio: f64, slope: f64) -> Jet {
-    let turn = if z == Complex64::ZERO { Complex64::ONE } else { z / z.norm() };
+/// The jet of z = ρe^{iθ} → g(ρ)e^{iθ}, from ρ, g(ρ)/ρ and g'(ρ).
+fn radial(z: Complex64, rho: f64, ratio: f64, slope: f64) -> Jet {
+    let turn = if rho == 0.0 { Complex64::ONE } else { z / rho };
     Jet { value: z * ratio, dz: (0.5 * (slope + ratio)).into(), dzbar: turn * turn * (0.5 * (slope - ratio)) }
+}
+
+/// |z|, many times faster than `hypot`, for the sake of numbers that no field has.
+fn modulus(z: Complex64) -> f64 {
+    z.norm_sqr().sqrt()
 }
 
 impl PlaneMap for Degrees {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         pointwise(points, jets, |s| {
-            let rho = s.norm();
+            let rho = modulus(s);
             let ratio: f64 = if rho < 1e-8 { 2.0 } else { 2.0 * rho.atan() / rho };
             let slope: f64 = 2.0 / (1.0 + rho * rho);
-            rho.is_finite().then(|| radial(s, ratio.to_degrees(), slope.to_degrees()))
+            rho.is_finite().then(|| radial(s, rho, ratio.to_degrees(), slope.to_degrees()))
         });
     }
 }
@@ -68,12 +73,13 @@ impl InvertibleMap for Degrees {
     fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         pointwise(points, jets, |z| {
             let degree = 1f64.to_radians();
-            let half = 0.5 * z.norm() * degree;
+            let rho = modulus(z);
+            let half = 0.5 * rho * degree;
             let tangent = half.tan();
             let ratio = if half < 1e-8 { 0.5 } else { 0.5 * tangent / half };
             // 180° is the point opposite to the line of sight, which has no coordinate.
             (half < std::f64::consts::FRAC_PI_2)
-                .then(|| radial(z, ratio * degree, 0.5 * degree * (1.0 + tangent * tangent)))
+                .then(|| radial(z, rho, ratio * degree, 0.5 * degree * (1.0 + tangent * tangent)))
         });
     }
 }

@@ -16,8 +16,9 @@ pub struct Gaze {
     middle: Complex64,
     /// Distance from eye to picture, in plane units.
     distance: f64,
-    /// Camera's field coordinate → the turned eye's.
+    /// Camera's field coordinate → the turned eye's, and back.
     turn: Moebius,
+    back: Moebius,
 }
 
 impl Gaze {
@@ -48,7 +49,7 @@ impl Gaze {
         let distance = 0.5 * frame.width() / (0.5 * field_of_view.to_radians()).tan();
         let ahead = stereographic((fixation - middle) / distance).value;
         let turn = Moebius::new(Complex64::ONE, -ahead, ahead.conj(), Complex64::ONE)?;
-        Ok(Self { middle, distance, turn })
+        Ok(Self { middle, distance, turn, back: turn.inverse() })
     }
 
     /// The direction in which a point of the picture is seen.
@@ -67,15 +68,14 @@ impl Gaze {
 
     /// What lies beside or behind the camera is not in the picture's plane.
     fn to_picture(self, s: Complex64) -> Option<Jet> {
-        let back = self.turn.inverse();
-        let seen = back.apply(s);
+        let seen = self.back.apply(s);
         if seen.is_nan() || seen.norm_sqr() >= 1.0 {
             return None;
         }
         let q = gnomonic(seen);
         let scale = self.distance;
         let plane = Jet { value: self.middle + q.value * scale, dz: q.dz * scale, dzbar: q.dzbar * scale };
-        Some(plane.after(&Jet::analytic(seen, back.derivative(s))))
+        Some(plane.after(&Jet::analytic(seen, self.back.derivative(s))))
     }
 }
 

@@ -180,9 +180,9 @@ impl CorticalModel {
         // e^{w/k} = (v + a)b / ((v + b)a)
         let u = (w / self.k).exp();
         let v = self.a * (u - 1.0) / (1.0 - u * (self.a / self.b));
-        let angle = v.arg().abs() / self.shear;
         // A sheared angle may leave the half circle, where the wedge has no inverse.
-        if !v.is_finite() || angle > std::f64::consts::PI {
+        let beyond = || v.arg().abs() / self.shear > std::f64::consts::PI;
+        if !v.is_finite() || (self.shear < 1.0 && beyond()) {
             return Jet::UNDEFINED;
         }
         self.wedge(v, 1.0 / self.shear).after(&Jet::analytic(v, self.slope(v).inv()))
