@@ -10,9 +10,10 @@ use conformal_warp::mesh::{JointTriangulation, MeshOptions};
 use std::time::Instant;
 use support::Random;
 
-/// Pairs of the short version: of all kinds, small enough to be solved and inverted quickly. 14 and 18 crowd corners
-/// together beyond double precision, 6 has its `toward` where rounding carries angles across 0.
-const QUICK: [u64; 11] = [5, 6, 7, 14, 18, 41, 44, 45, 59, 65, 105];
+/// Pairs of the short version: of all kinds, quick to solve. 14, 39, 57, 163 and 175 crowd corners together beyond double
+/// precision; in 6 and 18 the `toward` lies where rounding carries angles across 0; 1 was once refused as crowded.
+const QUICK: [u64; 24] =
+    [1, 3, 5, 6, 7, 10, 12, 14, 16, 18, 37, 39, 41, 44, 45, 57, 59, 61, 65, 105, 163, 175, 324, 405];
 
 fn pairs() -> Vec<u64> {
     let number = |name: &str| std::env::var(name).ok().map(|text| text.parse::<u64>().unwrap());
@@ -28,7 +29,7 @@ fn random_pairs_are_triangulated() {
         let mut random = Random::new(seed);
         let maps = [0, 1].map(|_| {
             let region = support::region(&mut random);
-            let options = SolveOptions { tolerance: 1e-5, ..SolveOptions::default() };
+            let options = SolveOptions { tolerance: 1e-5, max_charts: 4, ..SolveOptions::default() };
             RiemannMap::solve(&region, &options, &mut |_, _| true)
         });
         let mesh = maps.iter().find_map(|map| map.clone().err()).map_or_else(

@@ -87,7 +87,7 @@ fn geometric_in_the_nodes_of_a_smooth_curve() {
         let points: Vec<_> =
             (0..n).map(|j| TAU * f64::from(j) / f64::from(n)).map(|t| Complex64::new(5.0 * t.cos(), t.sin())).collect();
         let region = Region::new(&points, Curve::Smooth, Complex64::ZERO, points[0]).unwrap();
-        let options = SolveOptions { tolerance: 1e-14, max_unknowns: 100 };
+        let options = SolveOptions { tolerance: 1e-14, max_unknowns: 100, ..SolveOptions::default() };
         let map = RiemannMap::solve(&region, &options, &mut |_, _| true).unwrap();
         assert_eq!((map.stop(), map.unknowns()), (Stop::MaxUnknowns, n as usize));
         let exact = points.iter().map(|z| exact::ellipse(5.0, 1.0, *z).0.arg());

@@ -202,7 +202,7 @@ fn cancelling_and_bad_options() {
 #[test]
 fn stopping_short_is_said() {
     let region = case("neck").region();
-    let options = SolveOptions { tolerance: 1e-10, max_unknowns: 500 };
+    let options = SolveOptions { tolerance: 1e-10, max_unknowns: 500, ..SolveOptions::default() };
     let map = RiemannMap::solve(&region, &options, &mut |_, _| true).unwrap();
     assert_eq!(map.stop(), Stop::MaxUnknowns);
     assert!(map.unknowns() <= 500 && map.error_estimate() > 1e-10);

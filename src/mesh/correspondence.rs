@@ -20,8 +20,8 @@ pub(super) trait Correspondence {
     fn boundary_backward(&self, point: BoundaryPoint) -> BoundaryPoint;
     /// Disk → source; NaN outside the disk.
     fn undo_disk(&self, points: &[Complex64]) -> Vec<Complex64>;
-    /// |derivative| of source → target; not finite where it is singular or unknown.
-    fn magnification(&self, source: &[Complex64]) -> Vec<f64>;
+    /// |derivative| of source → target at nodes of both; not finite where it is singular or unknown.
+    fn magnification(&self, source: &[Complex64], target: &[Complex64]) -> Vec<f64>;
 }
 
 /// Region → region, exactly.
@@ -50,8 +50,9 @@ impl Correspondence for RegionMap {
         self.source().from_disk(points)
     }
 
-    fn magnification(&self, source: &[Complex64]) -> Vec<f64> {
-        self.derivative(source).into_iter().map(Complex64::norm).collect()
+    fn magnification(&self, source: &[Complex64], target: &[Complex64]) -> Vec<f64> {
+        let [source, target] = [self.source().derivative(source), self.target().derivative(target)];
+        source.iter().zip(target).map(|(there, back)| there.norm() / back.norm()).collect()
     }
 }
 
@@ -83,7 +84,7 @@ impl Correspondence for OntoDisk<'_> {
         self.0.from_disk(points)
     }
 
-    fn magnification(&self, source: &[Complex64]) -> Vec<f64> {
+    fn magnification(&self, source: &[Complex64], _: &[Complex64]) -> Vec<f64> {
         self.0.derivative(source).into_iter().map(Complex64::norm).collect()
     }
 }

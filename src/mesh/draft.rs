@@ -154,7 +154,7 @@ impl<'a> Draft<'a> {
 
     pub(super) fn finish(mut self) -> Result<JointTriangulation> {
         self.evidence.largest_error = self.largest_error();
-        let exact = self.map.magnification(&self.source);
+        let exact = self.map.magnification(&self.source, &self.target);
         let shape = |outline: &Outline| match outline.straight() {
             Some(polygon) => Shape::Polygon(polygon.clone()),
             None if outline.is_polygon() => Shape::Curve,

@@ -104,7 +104,7 @@ impl Correspondence for Located<'_> {
         self.exact.source().from_disk(points)
     }
 
-    fn magnification(&self, source: &[Complex64]) -> Vec<f64> {
-        self.exact.magnification(source)
+    fn magnification(&self, source: &[Complex64], target: &[Complex64]) -> Vec<f64> {
+        self.exact.magnification(source, target)
     }
 }

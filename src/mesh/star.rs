@@ -106,7 +106,7 @@ impl Correspondence for Stars<'_> {
         self.0.to_region(points)
     }
 
-    fn magnification(&self, source: &[Complex64]) -> Vec<f64> {
+    fn magnification(&self, source: &[Complex64], _: &[Complex64]) -> Vec<f64> {
         vec![f64::NAN; source.len()] // they stretch differently in every direction
     }
 }
@@ -139,7 +139,7 @@ impl Correspondence for StarOntoDisk<'_> {
         self.0.to_region(points)
     }
 
-    fn magnification(&self, source: &[Complex64]) -> Vec<f64> {
+    fn magnification(&self, source: &[Complex64], _: &[Complex64]) -> Vec<f64> {
         vec![f64::NAN; source.len()]
     }
 }

@@ -20,11 +20,14 @@ pub struct SolveOptions {
     pub tolerance: f64,
     /// Largest number of unknowns.
     pub max_unknowns: usize,
+    /// Most centers, at most 64, whose maps are solved and linked so that the far ends of long regions stay apart. With 1
+    /// nothing more is solved, and what lies beyond the reach of one center is crowded together.
+    pub max_charts: usize,
 }
 
 impl Default for SolveOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-8, max_unknowns: 150_000 }
+        Self { tolerance: 1e-8, max_unknowns: 150_000, max_charts: 64 }
     }
 }
 

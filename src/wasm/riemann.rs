@@ -27,6 +27,9 @@ pub struct RiemannOptions {
     /// The largest number of unknowns.
     #[tsify(optional)]
     pub max_unknowns: Option<usize>,
+    /// Most centers, 64 by default, whose maps are solved and linked so that the far ends of long regions stay apart.
+    #[tsify(optional)]
+    pub max_charts: Option<usize>,
     /// Told the stage and the fraction of it that is done; `false` cancels, and the solve throws "cancelled".
     #[serde(deserialize_with = "options::object")]
     #[tsify(optional, type = "(stage: string, fraction: number) => boolean | void")]
@@ -63,6 +66,7 @@ impl RiemannMap {
         let options = SolveOptions {
             tolerance: given.tolerance.unwrap_or(defaults.tolerance),
             max_unknowns: given.max_unknowns.unwrap_or(defaults.max_unknowns),
+            max_charts: given.max_charts.unwrap_or(defaults.max_charts),
         };
         memory::reserve(region.inner().boundary().len());
         let mut progress = Progress::new(given.on_progress);

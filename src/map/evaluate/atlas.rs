@@ -37,6 +37,15 @@ impl Chart {
         self.solution.center
     }
 
+    /// Where on the boundary a harmonic measure from vertex 0 is reached.
+    #[must_use]
+    pub fn boundary_point(&self, measure: f64) -> Complex64 {
+        let (edge, share) = self.solution.locate(measure);
+        let boundary = &self.solution.discretisation().boundary;
+        let (a, b) = (boundary.vertices[edge], boundary.vertices[boundary.next(edge)]);
+        a + (b - a) * share
+    }
+
     /// Writes the coefficients of tᵏ of the map at `center` + `radius`·t.
     pub fn expand(&self, center: Complex64, radius: f64, coefficients: &mut [Complex64]) {
         let mut log = [Complex64::ZERO; MAX_COEFFICIENTS];
@@ -112,7 +121,7 @@ impl Atlas {
         let first = &self.charts[0].solution;
         let unit = first.discretisation().boundary.unit;
         let near = &self.charts[parent];
-        if self.charts.len() >= MAX_CHARTS {
+        if self.charts.len() >= self.options.max_charts.min(MAX_CHARTS) {
             return false;
         }
         let Ok(solution) = solve_again(&near.solution, center / unit, &self.options, &mut |_, _| true) else {

@@ -43,6 +43,8 @@ const SHARE_OF_WALL: f64 = 0.9;
 const NEAR_MIDDLE: f64 = 0.05;
 
 const MOST_STEPS: usize = 5;
+/// Solves with errors above this are linked about as exactly as they are.
+const LOOSE: f64 = 1e-7;
 
 /// What the charts' own region sides know of a point.
 struct Forward {
@@ -136,6 +138,17 @@ impl<'a> Inverter<'a> {
             middle -= (series[0] - center) / series[1] * reach;
         }
         None
+    }
+
+    /// The point over `w`, from a pair not too far away; `None` where another chart had to be asked that is not as exact.
+    #[must_use]
+    pub fn point(&self, seed: Pair, w: Complex64) -> Option<Complex64> {
+        let (z, _) = self.walk(seed, w)?;
+        match self.region.patch_at(z) {
+            Some(patch) if patch.chart == self.chart => Some(patch.zone.point(patch.straightened(w))),
+            _ if !self.forward(z)?.foreign || self.accuracy.solve_error > LOOSE => Some(z),
+            _ => None,
+        }
     }
 
     /// From a known pair to the point over `w`, in steps over which the inverse is nearly linear; also dz/dw there.

@@ -16,6 +16,7 @@ mod fit;
 mod frame;
 mod inverse_cell;
 mod link;
+mod one_by_one;
 mod passage;
 mod patch;
 mod power_series;
@@ -30,10 +31,12 @@ use atlas::Atlas;
 use disk_side::{DiskSide, Source};
 pub use evaluator::Evaluator;
 use frame::Frame;
+use one_by_one::Seeds;
 pub use passage::{Compass, Passage};
 use region_side::RegionSide;
 use std::fmt;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// How accurate expansions should be.
 #[derive(Clone, Copy, Debug)]
@@ -171,6 +174,9 @@ pub struct Expansions {
     region: RegionSide,
     /// One a chart, built when it is first asked.
     disks: Vec<OnceLock<DiskSide>>,
+    /// One a chart, for as long as few points are asked for.
+    seeds: Vec<OnceLock<Seeds>>,
+    asked: AtomicUsize,
     accuracy: Accuracy,
 }
 
@@ -183,7 +189,8 @@ impl Expansions {
         let mut atlas = Atlas::new(solution, options);
         let region = RegionSide::new(boundary, &mut atlas, accuracy);
         let disks = vec![OnceLock::new(); atlas.charts.len()];
-        Self { atlas, region, disks, accuracy }
+        let seeds = vec![OnceLock::new(); atlas.charts.len()];
+        Self { atlas, region, disks, seeds, asked: AtomicUsize::new(0), accuracy }
     }
 
     /// Builds the way back for all charts.
@@ -196,6 +203,24 @@ impl Expansions {
     #[inline]
     fn disk(&self, chart: usize) -> &DiskSide {
         self.disks[chart].get_or_init(|| DiskSide::new(&self.atlas, &self.region, chart, self.accuracy))
+    }
+
+    /// Disk → region by one chart. Few points are inverted one by one; who asks for many gets a tree.
+    #[inline]
+    fn ask(&self, chart: usize, w: Complex64) -> Source {
+        match self.disks[chart].get() {
+            Some(disk) => disk.at(w),
+            None => self.ask_one(chart, w).unwrap_or_else(|| self.disk(chart).at(w)),
+        }
+    }
+
+    #[cold]
+    fn ask_one(&self, chart: usize, w: Complex64) -> Option<Source> {
+        if self.asked.fetch_add(1, Ordering::Relaxed) >= FEW {
+            return None;
+        }
+        let seeds = self.seeds[chart].get_or_init(|| Seeds::new(&self.atlas, &self.region, chart));
+        seeds.at(&self.atlas, &self.region, chart, self.accuracy, w)
     }
 
     /// Region → disk; `None` outside the closed region.
@@ -230,14 +255,14 @@ impl Expansions {
     #[inline]
     #[must_use]
     pub fn to_region(&self, point: DiskPoint) -> Option<Complex64> {
-        self.follow(point, DiskSide::at).map(|(z, _, _)| z)
+        self.follow(point, |chart, w| self.ask(chart, w)).map(|(z, _, _)| z)
     }
 
     /// Disk → region, with the derivative by the point's number in its chart.
     #[inline]
     #[must_use]
     pub fn to_region_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)> {
-        let (z, slope, chart) = self.follow(point, DiskSide::with_slope)?;
+        let (z, slope, chart) = self.follow(point, |chart, w| self.disk(chart).with_slope(w))?;
         if chart == point.chart {
             return Some((z, slope));
         }
@@ -255,13 +280,13 @@ impl Expansions {
     fn follow(
         &self,
         DiskPoint { mut chart, mut w }: DiskPoint,
-        ask: impl Fn(&DiskSide, Complex64) -> Source,
+        ask: impl Fn(usize, Complex64) -> Source,
     ) -> Option<(Complex64, Complex64, usize)> {
         if w.is_nan() || w.norm_sqr() > BEYOND_CIRCLE {
             return None;
         }
         for _ in 0..=self.disks.len() {
-            match ask(self.disk(chart), w) {
+            match ask(chart, w) {
                 Source::Point(z, slope) => return Some((z, slope, chart)),
                 Source::Nowhere => return None,
                 Source::Chart(next) => {
@@ -289,6 +314,8 @@ impl Expansions {
     }
 }
 
+/// So many points cost about as much one by one as through an easy region's tree.
+const FEW: usize = 10_000;
 /// |w|² of points that are on the circle up to rounding.
 const BEYOND_CIRCLE: f64 = 1.0 + 8.0 * f64::EPSILON;
 

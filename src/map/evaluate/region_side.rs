@@ -222,6 +222,15 @@ impl RegionSide {
         }
     }
 
+    /// The patch that knows a point, if one does.
+    #[must_use]
+    pub fn patch_at(&self, z: Complex64) -> Option<&Patch> {
+        match Leaf::from(self.tree.find(z)?) {
+            Leaf::Patch(index) => Some(&self.patches.list[index as usize]),
+            _ => None,
+        }
+    }
+
     /// For the few places that no expansion reaches.
     #[cold]
     fn directly(&self, atlas: &Atlas, chart: usize, z: Complex64) -> Option<Complex64> {
