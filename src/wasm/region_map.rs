@@ -25,6 +25,9 @@ impl RegionMap {
     }
 
     /// A → B, point by point `[x0, y0, x1, y1, …]`; NaN outside the closed region A.
+    ///
+    /// Far ends of long regions keep their accuracy. Only where a far end of B belongs to a spot of A that is smaller than the
+    /// distance of neighbouring numbers, or than the error of the maps, points cannot be told apart.
     pub fn forward(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         let points = points::from_flat("The points", points)?;
         Ok(points::to_flat(&self.0.forward(&points)))

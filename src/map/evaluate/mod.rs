@@ -7,6 +7,10 @@
 //! beside the boundary with one real power series in the variable that straightens the boundary, so that the walls are
 //! exact and corners harmless. Where the map of the region's own center crowds everything together, further centers have
 //! charts of their own, linked by automorphisms of the disk.
+//!
+//! A point of the disk is a number in the chart that tells it apart best. Each chart also knows its [`frame`], the place of
+//! its center in the hyperbolic plane, in a form that distance does not blur; from the frames of two regions comes the
+//! [`passage`] from one's charts to the other's.
 
 mod atlas;
 mod disk_builder;
