@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-/// Which quantity is averaged when texels are filtered.
+/// Which quantity is averaged when texels become the coarser levels of a texture, and interpolated in the best quality.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Light {
