@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{case, largest, solve};
+use common::{case, largest, share, solve, spread_points};
 use conformal_warp::map::RegionMap;
 use conformal_warp::plane::{Complex64, Curve, Region};
 use std::f64::consts::FRAC_PI_2;
@@ -27,18 +27,12 @@ fn neck() -> Region {
 
 /// Points all over a region, and nearly as many beside its walls.
 fn interior_points(region: &Region) -> Vec<Complex64> {
-    let (low, high) = region.polygon().bounds();
-    let share = |k: usize, a: f64| (k as f64 * a).fract();
-    let spread = (1..3000).map(|k| {
-        let (x, y) = (share(k, 0.618_033_988_749_895), share(k, 0.754_877_666_246_692_7));
-        c(low.re + (high.re - low.re) * x, low.im + (high.im - low.im) * y)
-    });
     let beside = (0..2000).map(|k| {
         let (a, b) = region.polygon().edge(k % region.polygon().len());
         let away = 10f64.powf(-9.0 + 7.0 * share(k, 0.324_717_957));
         a + (b - a) * share(k, 0.569_840_290_998) + c(0.0, away) * (b - a) / (b - a).norm()
     });
-    spread.chain(beside).filter(|z| region.contains(*z)).collect()
+    spread_points(region, 1500).into_iter().chain(beside.filter(|z| region.contains(*z))).collect()
 }
 
 fn distance(a: &[Complex64], b: &[Complex64]) -> f64 {

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{EXACT_CASES, case, largest, points, polygon, solve};
+use common::{EXACT_CASES, case, largest, points, polygon, share, solve, spread_points};
 use conformal_warp::map::{RegionMap, RiemannMap};
 use conformal_warp::plane::{Complex64, Region};
 
@@ -22,15 +22,7 @@ fn l_shape() -> Region {
 /// `count` points all over the region, and a tenth as many at distances from 1e-9 of its size to the wall.
 fn interior_points(region: &Region, count: usize) -> Vec<Complex64> {
     let polygon = region.polygon();
-    let (low, high) = polygon.bounds();
-    let share = |k: usize, a: f64| (k as f64 * a).fract();
-    let spread = |k: usize| {
-        c(
-            low.re + (high.re - low.re) * share(k, 0.618_033_988_749_895),
-            low.im + (high.im - low.im) * share(k, 0.754_877_666_246_692_7),
-        )
-    };
-    let mut found: Vec<Complex64> = (1..).map(spread).filter(|&z| region.contains(z)).take(count).collect();
+    let mut found = spread_points(region, count);
     for k in 1..=count / 10 {
         let (a, b) = polygon.edge(k % polygon.len());
         let away = polygon.size() * 10f64.powf(-9.0 + 6.0 * share(k, 0.324_717_957));

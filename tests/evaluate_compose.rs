@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{case, polygon, solve};
+use common::{case, polygon, solve, spread_points};
 use conformal_warp::map::{Compose, FormulaMap, Inverse, InvertibleMap, Jet, Moebius, PlaneMap, RiemannMap};
 use conformal_warp::plane::Complex64;
 use std::f64::consts::PI;
@@ -16,17 +16,6 @@ fn c(re: f64, im: f64) -> Complex64 {
 fn l_shape() -> RiemannMap {
     let vertices = [c(0.0, 0.0), c(2.0, 0.0), c(2.0, 1.0), c(1.0, 1.0), c(1.0, 2.0), c(0.0, 2.0)];
     solve(&polygon(&vertices, c(0.5, 0.5)), 1e-10)
-}
-
-fn interior_points(map: &RiemannMap) -> Vec<Complex64> {
-    let (low, high) = map.region().polygon().bounds();
-    let share = |k: u32, a: f64| (f64::from(k) * a).fract();
-    (1..600)
-        .map(|k| {
-            c(low.re + (high.re - low.re) * share(k, 0.618_034), low.im + (high.im - low.im) * share(k, 0.754_878))
-        })
-        .filter(|z| map.region().contains(*z))
-        .collect()
 }
 
 fn jets(map: &dyn PlaneMap, points: &[Complex64]) -> Vec<Jet> {
@@ -52,7 +41,7 @@ fn check_derivatives(map: &dyn PlaneMap, points: &[Complex64]) {
 fn half_plane_targets() {
     let map = l_shape();
     let to_half_plane = Compose { outer: Moebius::cayley().inverted(), inner: &map };
-    let z = interior_points(&map);
+    let z = spread_points(map.region(), 300);
     let images = jets(&to_half_plane, &z);
     for (jet, z) in images.iter().zip(&z) {
         assert!(jet.value.im > 0.0, "{z}: {}", jet.value);
@@ -75,7 +64,7 @@ fn half_plane_targets() {
 fn strip_targets() {
     let map = l_shape();
     let strip = Compose { outer: FormulaMap::new("log((1+z)/(1-z))").unwrap(), inner: &map };
-    let z = interior_points(&map);
+    let z = spread_points(map.region(), 300);
     for (jet, z) in jets(&strip, &z).iter().zip(&z) {
         assert!(jet.value.im.abs() < 0.5 * PI, "{z}: {}", jet.value);
     }
@@ -96,7 +85,7 @@ fn strip_targets() {
 fn formulas_and_moebius_maps_before() {
     let map = l_shape();
     let moved = Compose { outer: &map, inner: FormulaMap::new("i(z - 3 + i)/2").unwrap() };
-    let z = interior_points(&map);
+    let z = spread_points(map.region(), 300);
     let place = |z: &Complex64| 2.0 * z / Complex64::I + 3.0 - Complex64::I;
     let there: Vec<_> = z.iter().map(place).collect();
     for (jet, w) in jets(&moved, &there).iter().zip(map.to_disk(&z)) {
@@ -122,7 +111,7 @@ fn chains_of_four() {
     let inner = Compose { outer: &from, inner: FormulaMap::new("z/2 + 0.2").unwrap() };
     let outer = Compose { outer: FormulaMap::new("exp(z)").unwrap(), inner: Inverse(&to) };
     let chain = Compose { outer, inner };
-    let z: Vec<_> = interior_points(&from).iter().map(|z| 2.0 * (z - 0.2)).collect();
+    let z: Vec<_> = spread_points(from.region(), 300).iter().map(|z| 2.0 * (z - 0.2)).collect();
     assert!(jets(&chain, &z).iter().all(|jet| jet.value.is_finite()));
     check_derivatives(&chain, &z[..50]);
 }

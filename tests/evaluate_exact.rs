@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{EXACT_CASES, case, exact, largest, polygon, solve};
+use common::{EXACT_CASES, case, exact, largest, polygon, share, solve, spread_points};
 use conformal_warp::map::RiemannMap;
 use conformal_warp::plane::{Complex64, Curve, Region};
 use std::f64::consts::{PI, TAU};
@@ -15,18 +15,12 @@ fn c(re: f64, im: f64) -> Complex64 {
 
 /// Points of a region, many of them near its boundary.
 fn interior_points(region: &Region) -> Vec<Complex64> {
-    let (low, high) = region.polygon().bounds();
-    let share = |k: usize, a: f64| (k as f64 * a).fract();
-    let spread = (1..2000).map(|k| {
-        let (x, y) = (share(k, 0.618_033_988_749_895), share(k, 0.754_877_666_246_692_7));
-        c(low.re + (high.re - low.re) * x, low.im + (high.im - low.im) * y)
-    });
     let beside = (1..1000).map(|k| {
         let (a, b) = region.polygon().edge(k % region.polygon().len());
         let on = a + (b - a) * share(k, 0.569_840_290_998);
         on + (region.center() - on) * 10f64.powf(-6.0 + 5.0 * share(k, 0.324_717_957))
     });
-    spread.chain(beside).filter(|z| region.contains(*z)).collect()
+    spread_points(region, 1200).into_iter().chain(beside.filter(|z| region.contains(*z))).collect()
 }
 
 /// Largest error of f', relative to |f'| where that is more than 1, against `exact`(z, f(z)).

@@ -94,6 +94,21 @@ pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
 }
 
+/// `count` points spread evenly over the region.
+pub fn spread_points(region: &Region, count: usize) -> Vec<Complex64> {
+    let (low, high) = region.polygon().bounds();
+    let size = high - low;
+    let point = |k: usize| {
+        low + Complex64::new(size.re * share(k, 0.618_033_988_749_895), size.im * share(k, 0.754_877_666_246_692_7))
+    };
+    (1..).map(point).filter(|z| region.contains(*z)).take(count).collect()
+}
+
+/// The fractional part of k·a: evenly spread over [0, 1) for irrational a.
+pub fn share(k: usize, a: f64) -> f64 {
+    (k as f64 * a).fract()
+}
+
 /// Points of the boundary: every vertex, and points of each edge that crowd towards its ends.
 pub fn boundary_points(region: &Region) -> Vec<BoundaryPoint> {
     let shares = [0.0, 1e-6, 1e-4, 0.003, 0.01, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.62, 0.8, 0.93, 0.97, 0.995, 0.999];
