@@ -13,13 +13,13 @@ import { inTurns, milliseconds } from "./lib/timing.mjs";
 const around = { center: [0, 0], width: 3, pixels: [1024, 1024] };
 
 export default async function bench() {
-  const map = RiemannMap.solve(regionOf(fixture("blob100")), { tolerance: 1e-8 });
-  making(map);
+  const [map, other] = ["blob100", "sc_24_105"].map((name) => RiemannMap.solve(regionOf(fixture(name)), { tolerance: 1e-8 }));
+  making(map, other);
   await drawing(map);
 }
 
-/** @param {RiemannMap} map */
-function making(map) {
+/** @param {RiemannMap} map @param {RiemannMap} other */
+function making(map, other) {
   const table = new Table("Mesh: solved maps → joint triangulation, blob100", {
     mesh: 36, nodes: 6, triangles: 9, flipped: 7, "largest error": 13, time: 22,
   });
@@ -28,12 +28,15 @@ function making(map) {
     ["region → disk, spacing 0.05", () => JointTriangulation.regionToDisk(map, { spacing: 0.05 })],
     ["region → disk, spacing 0.0145", () => JointTriangulation.regionToDisk(map, { spacing: 0.0145 })],
     ["region → disk, ¼ pixel of 1024²", () => JointTriangulation.regionToDisk(map, { maxErrorPixels: 0.25, frame: disk(1024) })],
+    ["region → region, exact", () => JointTriangulation.regionToRegion(map, other, { spacing: 0.0131 })],
+    ["region → region, located", () => JointTriangulation.regionToRegion(map, other, { spacing: 0.0131, route: "located" })],
   ];
   for (const [name, make] of makers) {
     const mesh = make();
     const { source, triangles, flipped, evidence } = mesh;
     const time = milliseconds(() => make().free());
-    table.row(name, source.length / 2, triangles.length / 3, flipped, evidence.largestError.toExponential(1), ms(time));
+    const limited = name.startsWith("region → region") ? new Target(time, 120, ms) : ms(time);
+    table.row(name, source.length / 2, triangles.length / 3, flipped, evidence.largestError.toExponential(1), limited);
     mesh.free();
   }
 }

@@ -43,6 +43,27 @@ fn meshes_onto_the_disk_are_valid() {
     }
 }
 
+/// Their far ends have a harmonic measure below rounding: on the circle they are one point, around which the nodes are
+/// spread out and connected without folds.
+#[test]
+fn long_regions_have_valid_meshes_onto_the_disk_and_each_other() {
+    let maps = ["neck", "rect10", "rect20", "slot"].map(solved);
+    for map in &maps {
+        let mesh = JointTriangulation::region_to_disk(map, &MeshOptions::with_spacing(spacing_of(map, 12.0))).unwrap();
+        mesh.validate().unwrap();
+        assert!(map.region().boundary().iter().all(|vertex| mesh.source().contains(vertex)));
+    }
+    for (from, to) in [(0, 2), (2, 0), (0, 0), (3, 1)] {
+        let options = MeshOptions::with_spacing(spacing_of(&maps[from], 12.0));
+        let mesh = JointTriangulation::region_to_region(&maps[from], &maps[to], &options).unwrap();
+        mesh.validate().unwrap();
+        if from == to {
+            let moved = mesh.source().iter().zip(mesh.target()).map(|(z, w)| (z - w).norm()).fold(0.0, f64::max);
+            assert!(moved < 1e-6, "a region's own far end moves by {moved}");
+        }
+    }
+}
+
 #[test]
 fn a_graded_mesh_keeps_its_bound() {
     let map = solved("sc_9_103");

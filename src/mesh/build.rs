@@ -101,7 +101,7 @@ impl<'a> Draft<'a> {
         let [source, _] = map.copies();
         if let Some(polygon) = source.polygon() {
             let samples = scan::fill(polygon, source.center(), spacing, CLEARANCE * spacing)?;
-            draft.add_inner(&samples, map);
+            draft.add_grid(&samples);
             let angles: Vec<_> = draft.ring.iter().map(|(_, node)| source.angle(node.source)).collect();
             draft.add_net(&net::over(&angles, draft.trust()), spacing);
         }

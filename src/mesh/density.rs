@@ -56,10 +56,13 @@ impl Draft<'_> {
     }
 
     /// The largest distance, in plane units of the target, between the map and its affine pieces.
-    pub(super) fn largest_error(&mut self) -> f64 {
-        let pieces = self.pieces();
-        self.evaluate(&pieces);
-        pieces.iter().map(|&piece| self.error(piece)).fold(0.0, f64::max)
+    pub(super) fn largest_error(&self) -> f64 {
+        let (boundary, inner): (Vec<_>, Vec<_>) =
+            self.pieces().into_iter().partition(|piece| matches!(piece, Piece::Boundary(..)));
+        let points: Vec<_> = inner.iter().map(|&piece| mean(&self.source, piece)).collect();
+        let inner = inner.iter().zip(self.map.forward(&points)).map(|(&piece, w)| self.error_at(piece, w));
+        let boundary = boundary.iter().map(|&piece| self.boundary_error(piece, self.boundary_middle(piece)));
+        inner.chain(boundary).fold(0.0, f64::max)
     }
 
     fn pieces(&self) -> Vec<Piece> {
@@ -84,11 +87,8 @@ impl Draft<'_> {
         let mut new = Vec::new();
         for &piece in pieces {
             match piece {
-                Piece::Boundary(p, q) => {
-                    middles
-                        .boundary
-                        .entry(piece)
-                        .or_insert_with(|| self.between(self.places[p as usize]?, self.places[q as usize]?));
+                Piece::Boundary(..) => {
+                    middles.boundary.entry(piece).or_insert_with(|| self.boundary_middle(piece));
                 }
                 _ if middles.inner.contains_key(&piece) => {}
                 _ => new.push(piece),
@@ -101,14 +101,28 @@ impl Draft<'_> {
 
     /// How far the map is from the affine piece at its middle; 0 where the map has no value, or one colour, there.
     fn error(&self, piece: Piece) -> f64 {
+        match piece {
+            Piece::Boundary(..) => self.boundary_error(piece, self.middles.boundary[&piece]),
+            _ => self.error_at(piece, self.middles.inner[&piece]),
+        }
+    }
+
+    /// The same for an edge or triangle inside whose middle the map takes to `image`.
+    fn error_at(&self, piece: Piece, image: Complex64) -> f64 {
+        let distance = (image - mean(&self.target, piece)).norm();
+        if distance.is_finite() && !self.has_one_colour(piece) { distance } else { 0.0 }
+    }
+
+    fn boundary_middle(&self, piece: Piece) -> Option<RingNode> {
+        let Piece::Boundary(p, q) = piece else { return None };
+        self.between(self.places[p as usize]?, self.places[q as usize]?)
+    }
+
+    fn boundary_error(&self, piece: Piece, middle: Option<RingNode>) -> f64 {
+        let (Piece::Boundary(p, q), Some(middle)) = (piece, middle) else { return 0.0 };
         if self.has_one_colour(piece) {
             return 0.0;
         }
-        let Piece::Boundary(p, q) = piece else {
-            let distance = (self.middles.inner[&piece] - mean(&self.target, piece)).norm();
-            return if distance.is_finite() { distance } else { 0.0 };
-        };
-        let Some(middle) = self.middles.boundary[&piece] else { return 0.0 };
         let at = |points: &[Complex64], k: u32| points[k as usize];
         let share =
             (middle.source.point - at(&self.source, p)).norm() / (at(&self.source, q) - at(&self.source, p)).norm();

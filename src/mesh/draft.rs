@@ -50,6 +50,15 @@ impl<'a> Draft<'a> {
         })
     }
 
+    /// Adds the points of a grid that keeps away from the outline, with their images: no need to look how near that is.
+    pub(super) fn add_grid(&mut self, points: &[Complex64]) {
+        for (&z, w) in points.iter().zip(self.map.forward(points)).filter(|(_, w)| w.is_finite()) {
+            self.source.push(z);
+            self.target.push(w);
+        }
+        self.places.resize(self.source.len(), None);
+    }
+
     /// Adds inner points of the source with their images under `map`; returns how many had one.
     pub(super) fn add_inner(&mut self, points: &[Complex64], map: &dyn Correspondence) -> usize {
         let pairs: Vec<_> = points.iter().copied().zip(map.forward(points)).collect();
