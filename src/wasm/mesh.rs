@@ -155,6 +155,7 @@ impl JointTriangulation {
         options::write(&MeshEvidence {
             flipped_at_first: found.flipped_at_first,
             added: found.added,
+            mended: found.mended,
             moved: found.moved,
             largest_error: found.largest_error,
             largest_error_pixels: found.largest_error_pixels(),
@@ -212,6 +213,9 @@ pub struct MeshEvidence {
     pub flipped_at_first: usize,
     /// Nodes added to undo those flips.
     pub added: usize,
+    /// Triangles that no refinement could turn back, because double precision has no room for them in one of the copies: their
+    /// surroundings are connected without folds, but not conformally.
+    pub mended: usize,
     /// Boundary nodes moved along an outline because the maps crowd them together beyond double precision.
     pub moved: usize,
     /// The largest distance between the map and its affine pieces, in plane units of the target.
