@@ -7,11 +7,10 @@
 use super::clusters::{Cluster, ClusterTree};
 use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::Discretisation;
-use super::fast_log::half_ln;
 use super::legendre::{GaussRule, MAX_NODES, legendre};
+use super::series_sum::{MAX_TERMS, Piece, Sum, binomials};
 use super::solve::Solution;
 use crate::plane::Complex64;
-use std::f64::consts::TAU;
 
 /// A cluster is far when its radius is at most this share of its distance from the disk of the series.
 const FAR: f64 = 0.4;
@@ -57,15 +56,6 @@ struct PanelSource {
     /// Masses on the Gauss nodes of [2^(−l−1), 2^(−l)].
     pieces: Vec<f64>,
     levels: usize,
-}
-
-/// The series under construction.
-struct Sum<'a> {
-    center: Complex64,
-    radius: f64,
-    coefficients: &'a mut [Complex64],
-    /// Argument of center − y at the end of the boundary walked so far.
-    argument: f64,
 }
 
 impl LocalSeries {
@@ -125,7 +115,7 @@ impl LocalSeries {
                 at += 1;
                 continue;
             }
-            sum.argument = nearest_turn((center - end).arg(), sum.argument);
+            sum.walk_to(end);
             at = self.skips[at];
         }
         // So far: Σ mass·(radius/(center − y))ᵏ; the logarithm wants (−1)^(k−1)/k of it.
@@ -139,8 +129,8 @@ impl LocalSeries {
         let mut reach = 1.0;
         for l in 0..panel.levels {
             let union = Interval { middle: 0.5 * reach, half: 0.5 * reach };
-            if sum.is_far(panel, union, self.far_union) {
-                return sum.add_nodes(panel, union, &self.gauss, &panel.unions[l * m..][..m]);
+            if sum.is_far(panel.piece(union), self.far_union) {
+                return sum.add_nodes(panel.piece(union), &self.gauss, &panel.unions[l * m..][..m]);
             }
             let piece = Interval { middle: 0.75 * reach, half: 0.25 * reach };
             self.add_piece(panel, piece, Some(&panel.pieces[l * m..][..m]), sum);
@@ -151,19 +141,19 @@ impl LocalSeries {
         if panel.levels == 0 {
             self.add_piece(panel, rest, Some(masses), sum);
         } else {
-            sum.add_nodes(panel, rest, &self.gauss, masses);
+            sum.add_nodes(panel.piece(rest), &self.gauss, masses);
         }
     }
 
     /// A piece on which the density is smooth, halved until it is short against its distance.
     fn add_piece(&self, panel: &PanelSource, piece: Interval, masses: Option<&[f64]>, sum: &mut Sum) {
-        if piece.half < SHORTEST || sum.is_far(panel, piece, FAR_PIECE) {
+        if piece.half < SHORTEST || sum.is_far(panel.piece(piece), FAR_PIECE) {
             let mut own = [0.0; MAX_NODES];
             let masses = masses.unwrap_or_else(|| {
                 panel.masses_in(piece, &self.gauss, &mut own);
                 &own[..self.gauss.len()]
             });
-            return sum.add_nodes(panel, piece, &self.gauss, masses);
+            return sum.add_nodes(panel.piece(piece), &self.gauss, masses);
         }
         let half = 0.5 * piece.half;
         self.add_piece(panel, Interval { middle: piece.middle - half, half }, None, sum);
@@ -223,6 +213,11 @@ struct Interval {
 }
 
 impl PanelSource {
+    /// A part of it in the plane.
+    fn piece(&self, part: Interval) -> Piece {
+        Piece { middle: self.origin + self.span * part.middle, half: self.span * part.half }
+    }
+
     /// Masses on the Gauss nodes of a part away from the corner.
     fn masses_in(&self, part: Interval, gauss: &GaussRule, masses: &mut [f64]) {
         let mut p = [0.0; MAX_NODES];
@@ -235,140 +230,6 @@ impl PanelSource {
             *mass = density * tau / (self.exponent * s) * part.half * weight;
         }
     }
-}
-
-impl Sum<'_> {
-    fn is_far(&self, panel: &PanelSource, part: Interval, share: f64) -> bool {
-        let middle = panel.origin + panel.span * part.middle;
-        let half = panel.span.norm_sqr().sqrt() * part.half;
-        half <= share * ((self.center - middle).norm_sqr().sqrt() - self.radius)
-    }
-
-    /// Adds the field of masses at the nodes of a part of a panel.
-    fn add_nodes(&mut self, panel: &PanelSource, part: Interval, gauss: &GaussRule, masses: &[f64]) {
-        let m = masses.len();
-        let middle = self.center - (panel.origin + panel.span * part.middle);
-        let inverse = middle.inv();
-        let q = panel.span * part.half * inverse;
-        let unit = inverse * self.radius;
-        let (mut logs, mut angles) = ([1.0; MAX_NODES], [0.0; MAX_NODES]);
-        let (mut ure, mut uim) = ([0.0; MAX_NODES], [0.0; MAX_NODES]);
-        for j in 0..m {
-            // center − y over center − middle.
-            let (re, im) = (1.0 - gauss.nodes[j] * q.re, -gauss.nodes[j] * q.im);
-            logs[j] = re * re + im * im;
-            angles[j] = small_atan(im / re);
-            let scale = 1.0 / logs[j];
-            ure[j] = (unit.re * re + unit.im * im) * scale;
-            uim[j] = (unit.im * re - unit.re * im) * scale;
-        }
-        half_ln(&mut logs[..m]);
-        let total: f64 = masses.iter().sum();
-        let log = Complex64::new(0.5 * middle.norm_sqr().ln(), nearest_turn(middle.arg(), self.argument));
-        let mut constant = log * total;
-        for j in 0..m {
-            constant += Complex64::new(logs[j], angles[j]) * masses[j];
-        }
-        self.coefficients[0] += constant;
-        let (mut pre, mut pim) = ([0.0; MAX_NODES], [0.0; MAX_NODES]);
-        pre[..m].copy_from_slice(masses);
-        let lanes = m.next_multiple_of(LANES);
-        for coefficient in &mut self.coefficients[1..] {
-            // Several sums side by side, which the compiler keeps in vectors.
-            let (mut re, mut im) = ([0.0; LANES], [0.0; LANES]);
-            for j in (0..lanes).step_by(LANES) {
-                for i in 0..LANES {
-                    let (a, b) = (pre[j + i], pim[j + i]);
-                    let (c, d) = (ure[j + i], uim[j + i]);
-                    pre[j + i] = a * c - b * d;
-                    pim[j + i] = a * d + b * c;
-                    re[i] += pre[j + i];
-                    im[i] += pim[j + i];
-                }
-            }
-            *coefficient += Complex64::new(re.iter().sum(), im.iter().sum());
-        }
-    }
-
-    /// Adds the field of a far cluster. `binomials` are those of [`binomials`].
-    fn add_multipole(&mut self, cluster: &Cluster, multipole: &[Complex64], binomials: &[f64]) {
-        let apart = self.center - cluster.center;
-        let inverse = apart.inv();
-        let (near, unit) = (inverse * cluster.radius, inverse * self.radius);
-        let (mut re, mut im) = ([0.0; MAX_TERMS], [0.0; MAX_TERMS]);
-        let charge = multipole[0].re;
-        let log = Complex64::new(0.5 * apart.norm_sqr().ln(), nearest_turn(apart.arg(), self.argument));
-        let mut constant = log * charge;
-        let mut power = Complex64::ONE;
-        for (k, a) in multipole[1..].iter().enumerate() {
-            power *= near;
-            let u = a * power;
-            constant += u;
-            (re[k], im[k]) = (u.re, u.im);
-        }
-        self.coefficients[0] += constant;
-        // A few more than are wanted, so that they fill vectors.
-        let orders = (self.coefficients.len() - 1).next_multiple_of(LANES);
-        let (mut sum_re, mut sum_im) = ([0.0; MAX_COEFFICIENTS], [0.0; MAX_COEFFICIENTS]);
-        let (sum_re, sum_im) = (&mut sum_re[..orders], &mut sum_im[..orders]);
-        for (k, row) in binomials.chunks_exact(MAX_COEFFICIENTS).take(multipole.len() - 1).enumerate() {
-            let (re, im) = (re[k], im[k]);
-            for ((sum_re, sum_im), binomial) in sum_re.iter_mut().zip(&mut *sum_im).zip(&row[..orders]) {
-                *sum_re += binomial * re;
-                *sum_im += binomial * im;
-            }
-        }
-        let mut power = Complex64::ONE;
-        for (l, coefficient) in self.coefficients[1..].iter_mut().enumerate() {
-            power *= unit;
-            *coefficient += power * (charge - Complex64::new(sum_re[l], sum_im[l]));
-        }
-    }
-}
-
-/// Numbers that are worked on side by side.
-const LANES: usize = 4;
-/// More terms of a multipole expansion than 16 digits need.
-const MAX_TERMS: usize = 48;
-/// More coefficients than anybody asks for.
-const MAX_COEFFICIENTS: usize = 40;
-
-/// Row k − 1, column l − 1: l·C(k+l−1, l). Around a center at distance D, (z − b)^(−k) has the coefficients
-/// (−1)ˡ C(k+l−1, l)/D^(k+l).
-fn binomials() -> Vec<f64> {
-    let mut rows = Vec::with_capacity(MAX_TERMS * MAX_COEFFICIENTS);
-    for k in 1..=MAX_TERMS {
-        let mut choose = 1.0;
-        for l in 1..=MAX_COEFFICIENTS {
-            choose *= (k + l - 1) as f64 / l as f64;
-            rows.push(l as f64 * choose);
-        }
-    }
-    rows
-}
-
-/// `angle` plus the multiple of 2π that brings it closest to `to`.
-fn nearest_turn(angle: f64, to: f64) -> f64 {
-    angle + TAU * ((to - angle) / TAU).round()
-}
-
-/// atan x for |x| ≤ 7/16, branch-free (fdlibm's s_atan.c).
-fn small_atan(x: f64) -> f64 {
-    const SERIES: [f64; 11] = [
-        3.333_333_333_333_293_18e-1,
-        -1.999_999_999_987_648_32e-1,
-        1.428_571_427_250_346_64e-1,
-        -1.111_111_040_546_235_58e-1,
-        9.090_887_133_436_507e-2,
-        -7.691_876_205_044_83e-2,
-        6.661_073_137_387_531e-2,
-        -5.833_570_133_790_573_5e-2,
-        4.976_877_994_615_932e-2,
-        -3.653_157_274_421_691_6e-2,
-        1.628_582_011_536_578_2e-2,
-    ];
-    let z = x * x;
-    x - x * z * SERIES.iter().rev().fold(0.0, |sum, c| sum * z + c)
 }
 
 /// Adds a child's expansion to its parent's: aₗ += Σₖ C(l−1, k−1) aₖ d^(l−k) − Q dˡ/l, d = child − parent.

@@ -37,6 +37,7 @@ pub mod panel;
 pub mod panel_blocks;
 pub mod potential;
 pub mod rule;
+mod series_sum;
 pub mod smooth;
 pub mod solution;
 pub mod solve;
