@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 
 /// Nodes of one copy closer than this share of the outline's length are moved apart. They come from parts of the
 /// other copy that this one shrinks to nothing, so that the picture does not show the move.
-const CLOSEST: f64 = 1e-9;
+const CLOSEST: f64 = 1e-7;
 /// The same on the circle, where three neighbours must still make a triangle: its height is a quarter of the square.
 const CLOSEST_ON_CIRCLE: f64 = 1e-7;
 /// An outline's own point gives way to a corner that is closer than this share of the spacing.
