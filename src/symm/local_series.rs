@@ -93,7 +93,7 @@ impl LocalSeries {
     }
 
     /// Writes the coefficients of tᵏ, k = 0 …, of the potential at `center` + `radius`·t (scaled units). The disk lies in the
-    /// region.
+    /// region; of one that crosses the boundary they mean nothing.
     pub fn expand(&self, center: Complex64, radius: f64, coefficients: &mut [Complex64]) {
         coefficients.fill(Complex64::ZERO);
         let argument = (center - self.start).arg();
@@ -147,13 +147,14 @@ impl LocalSeries {
 
     /// A piece on which the density is smooth, halved until it is short against its distance.
     fn add_piece(&self, panel: &PanelSource, piece: Interval, masses: Option<&[f64]>, sum: &mut Sum) {
-        if piece.half < SHORTEST || sum.is_far(panel.piece(piece), FAR_PIECE) {
+        let place = panel.piece(piece);
+        if piece.half < SHORTEST || sum.need_not_halve(place) || sum.is_far(place, FAR_PIECE) {
             let mut own = [0.0; MAX_NODES];
             let masses = masses.unwrap_or_else(|| {
                 panel.masses_in(piece, &self.gauss, &mut own);
                 &own[..self.gauss.len()]
             });
-            return sum.add_nodes(panel.piece(piece), &self.gauss, masses);
+            return sum.add_nodes(place, &self.gauss, masses);
         }
         let half = 0.5 * piece.half;
         self.add_piece(panel, Interval { middle: piece.middle - half, half }, None, sum);

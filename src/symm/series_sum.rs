@@ -27,6 +27,9 @@ pub struct Piece {
     pub half: Complex64,
 }
 
+/// Of the disk's radius: pieces that are far from a disk of nine tenths of the distance to the boundary are longer.
+const SHORTEST: f64 = 0.01;
+
 impl Sum<'_> {
     /// Goes on along the boundary to `end`.
     pub fn walk_to(&mut self, end: Complex64) {
@@ -37,6 +40,12 @@ impl Sum<'_> {
     #[must_use]
     pub fn is_far(&self, piece: Piece, share: f64) -> bool {
         piece.half.norm_sqr().sqrt() <= share * ((self.center - piece.middle).norm_sqr().sqrt() - self.radius)
+    }
+
+    /// Whether the piece is so short that only a disk which crosses the boundary would ask for less.
+    #[must_use]
+    pub fn need_not_halve(&self, piece: Piece) -> bool {
+        piece.half.norm_sqr().sqrt() <= SHORTEST * self.radius
     }
 
     /// Adds the field of masses at the nodes of a piece.
