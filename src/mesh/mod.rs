@@ -2,7 +2,9 @@
 //!
 //! The paper's second method (section 3): sample a region, map the samples, triangulate, and carry the picture triangle
 //! by triangle. Each step is a file: [`MeshOptions`] say how densely, `scan` samples the interior, `ring` refines the
-//! boundary, `connect` makes triangles, `repair` refines until none is flipped, `validate` proves it.
+//! boundary, `correspondence` says where a point goes, `connect` makes triangles, `density` grades them to an error,
+//! `repair` refines until none is flipped (`flip`, and where double precision has no room, `pocket` and `compatible`),
+//! `validate` proves it.
 
 mod build;
 mod compatible;
