@@ -28,7 +28,7 @@ pub struct Piece {
 }
 
 /// Of the disk's radius: pieces that are far from a disk of nine tenths of the distance to the boundary are longer.
-const SHORTEST: f64 = 0.01;
+const SHORTEST_IN_DISK: f64 = 0.01;
 
 impl Sum<'_> {
     /// Goes on along the boundary to `end`.
@@ -45,7 +45,7 @@ impl Sum<'_> {
     /// Whether the piece is so short that only a disk which crosses the boundary would ask for less.
     #[must_use]
     pub fn need_not_halve(&self, piece: Piece) -> bool {
-        piece.half.norm_sqr().sqrt() <= SHORTEST * self.radius
+        piece.half.norm_sqr().sqrt() <= SHORTEST_IN_DISK * self.radius
     }
 
     /// Adds the field of masses at the nodes of a piece.

@@ -5,7 +5,6 @@ use super::foveated::FoveatedTexture;
 use super::options;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
-use crate::Error;
 use crate::warp::{Direction, PreparedWarp as Prepared, Warp};
 use js_sys::{Array, Uint8ClampedArray};
 use tsify::Ts;
@@ -69,10 +68,7 @@ impl PreparedWarp {
         let Some(out) = out else {
             return Ok(Uint8ClampedArray::from(&self.pixels[..]));
         };
-        let (expected, found) = (self.pixels.len(), out.length() as usize);
-        if found != expected {
-            return Err(Error::WrongLength { what: "out", expected: expected.to_string(), found }.into());
-        }
+        warp::check_length(&out, self.pixels.len())?;
         out.copy_from(&self.pixels);
         Ok(out)
     }

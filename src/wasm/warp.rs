@@ -82,13 +82,21 @@ pub fn draw(
         let pixels = picture(&options)?;
         return Ok(Uint8ClampedArray::from(&pixels[..]));
     };
-    let expected = options.output_len()?;
-    if out.length() as usize != expected {
-        let found = out.length() as usize;
-        return Err(Error::WrongLength { what: "out", expected: expected.to_string(), found }.into());
-    }
+    check_length(&out, options.output_len()?)?;
     out.copy_from(&picture(&options)?);
     Ok(out)
+}
+
+/// Whether the bytes to fill are as many as will be written.
+///
+/// # Errors
+/// "wrong-length".
+pub(super) fn check_length(out: &Uint8ClampedArray, expected: usize) -> Result<(), Failure> {
+    let found = out.length() as usize;
+    if found == expected {
+        return Ok(());
+    }
+    Err(Error::WrongLength { what: "out", expected: expected.to_string(), found }.into())
 }
 
 /// [`warp`], onto a canvas, whose pixel (0, 0) is the view's.
