@@ -6,10 +6,10 @@
 mod common;
 
 use common::{case, solve};
-use conformal_warp::map::FormulaMap;
-use conformal_warp::mesh::{JointTriangulation, MeshOptions};
-use conformal_warp::plane::{Complex64, Frame};
-use conformal_warp::warp::{Direction, Light, Quality, Texture, Warp, WarpOptions, Wrap};
+use conformal_warp::{
+    Complex64, Direction, FormulaMap, Frame, JointTriangulation, Light, MeshOptions, Quality, Texture, Warp,
+    WarpOptions, Wrap,
+};
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 

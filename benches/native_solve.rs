@@ -6,7 +6,7 @@
 mod common;
 
 use common::{case, solve};
-use conformal_warp::plane::Complex64;
+use conformal_warp::Complex64;
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 

@@ -15,8 +15,7 @@ fn main() {}
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
-    use conformal_warp::map::{RiemannMap, SolveOptions};
-    use conformal_warp::plane::{Complex64, Curve, Region};
+    use conformal_warp::{Complex64, Curve, Region, RiemannMap, SolveOptions};
     use serde::{Deserialize, Serialize};
     use std::error::Error;
 

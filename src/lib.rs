@@ -11,8 +11,29 @@
 //! retina, cortex ─► RetinoCorticalMap ┴─► JointTriangulation (affine) ────┘
 //! ```
 //! A new image never re-solves a map; a moved camera never rebuilds a mesh; a warp never knows where its map came from.
-//! Each module uses only those above it in this list: [`error`], [`plane`], [`symm`], [`map`], [`mesh`], [`warp`],
-//! [`presets`], `wasm`.
+//! Each module uses only those above it in this list: [`error`], [`plane`], [`symm`], [`map`]; [`formula`], [`riemann`] and
+//! [`cortex`] side by side; [`mesh`], [`warp`], [`presets`], `wasm`. Names are those of the JavaScript package, and flat.
+//!
+//! ```
+//! use conformal_warp::{
+//!     Complex64, Curve, Direction, Frame, Light, Region, RiemannMap, SolveOptions, Texture, Warp, WarpOptions, Wrap,
+//! };
+//!
+//! // A picture, here of two pixels, two units wide around 0 …
+//! let texture = Texture::new(&[255, 0, 0, 255, 0, 0, 255, 255], 2, 1, Wrap::Clamp, Light::Linear)?;
+//! let picture = Frame::new(Complex64::ZERO, 2.0, [2, 1])?;
+//! // … a square on it, its conformal map to the unit disk …
+//! let corners = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)].map(|(x, y)| Complex64::new(x, y));
+//! let region = Region::new(&corners, Curve::Polygon, Complex64::ZERO, corners[0])?;
+//! let map = RiemannMap::solve(&region, &SolveOptions::default(), &mut |_, _| true)?;
+//! // … and the square's part of the picture on the disk.
+//! let view = Frame::new(Complex64::ZERO, 2.0, [64, 64])?;
+//! let options = WarpOptions { direction: Direction::PushForward, ..WarpOptions::new(picture, view) };
+//! let pixels = map.warp(&texture, &options)?;
+//! assert_eq!(pixels[3], 0, "outside the disk");
+//! assert_eq!(pixels[4 * (32 * 64 + 32) + 3], 255, "at its center");
+//! # Ok::<(), conformal_warp::Error>(())
+//! ```
 //!
 //! # Conventions
 //! - The plane has y up and counter-clockwise angles. [`plane::Frame`] alone knows pixels: square pixels, centres at
@@ -24,14 +45,31 @@
 //! - Pixels are RGBA8, row-major, straight alpha at the edge; filtering works on premultiplied values.
 //! - Every approximation returns evidence beside its answer: residual, error estimate, flipped triangles.
 
+pub mod cortex;
 pub mod error;
+pub mod formula;
 pub mod map;
 pub mod mesh;
 pub mod plane;
 pub mod presets;
+pub mod riemann;
 pub mod symm;
 pub mod warp;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
 
+pub use cortex::{
+    CorticalImage, CorticalModel, Degrees, FieldPoint, Gaze, HalfDiskMap, Hemisphere, Landmark, Mirrored,
+    RetinoCorticalMap, VisualCortex,
+};
 pub use error::{Error, Result};
+pub use formula::FormulaMap;
+pub use map::{Compose, Inverse, InvertibleMap, Jet, Moebius, PlaneMap};
+pub use mesh::{Density, JointTriangulation, MeshOptions, Route};
+pub use plane::{BoundaryPoint, Complex64, Curve, Frame, Polygon, Region, SmoothCurve, parse_outline};
+pub use riemann::{DiskPoint, RegionMap, RiemannMap};
+pub use symm::options::{Progress, SolveOptions, Stop};
+pub use warp::{
+    Direction, FoveatedTexture, Light, Overlay, PreparedWarp, Quality, Stroke, Texture, TriangleMesh, Warp,
+    WarpOptions, Wrap,
+};

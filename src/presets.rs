@@ -1,7 +1,7 @@
 //! Named formulas with frames that show them well: the report's figures 1 and 2, and the classics.
 
 use crate::Result;
-use crate::map::FormulaMap;
+use crate::formula::FormulaMap;
 use crate::plane::{Complex64, Frame};
 use crate::warp::{Direction, Wrap};
 use std::f64::consts::{PI, TAU};

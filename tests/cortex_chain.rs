@@ -5,10 +5,10 @@
 mod common;
 
 use common::{largest, solve};
-use conformal_warp::map::cortex::{CorticalModel, FieldPoint, Landmark, RetinoCorticalMap};
-use conformal_warp::map::{Compose, InvertibleMap, Jet, Moebius, PlaneMap, RiemannMap};
-use conformal_warp::plane::{Complex64, Curve, Frame, Region};
-use conformal_warp::warp::{Light, Texture, Warp, WarpOptions, Wrap};
+use conformal_warp::{
+    Complex64, Compose, CorticalModel, Curve, FieldPoint, Frame, InvertibleMap, Jet, Landmark, Light, Moebius,
+    PlaneMap, Region, RetinoCorticalMap, RiemannMap, Texture, Warp, WarpOptions, Wrap,
+};
 
 fn jets(map: &impl PlaneMap, points: &[Complex64]) -> Vec<Jet> {
     let mut jets = vec![Jet::UNDEFINED; points.len()];

@@ -9,12 +9,11 @@ mod common;
 mod warp_common;
 
 use common::solve;
-use conformal_warp::map::cortex::{
-    CorticalImage, CorticalModel, FieldPoint, Gaze, Hemisphere, Landmark, RetinoCorticalMap, VisualCortex,
+use conformal_warp::warp::recovery;
+use conformal_warp::{
+    Complex64, Compose, CorticalImage, CorticalModel, Curve, FieldPoint, FoveatedTexture, Frame, Gaze, Hemisphere,
+    Landmark, Light, Moebius, PlaneMap, Region, RetinoCorticalMap, Texture, VisualCortex, WarpOptions, Wrap,
 };
-use conformal_warp::map::{Compose, Moebius, PlaneMap};
-use conformal_warp::plane::{Complex64, Curve, Frame, Region};
-use conformal_warp::warp::{FoveatedTexture, Light, Texture, WarpOptions, Wrap, recovery};
 use std::path::{Path, PathBuf};
 use warp_common::fixture_photo;
 

@@ -2,9 +2,10 @@
 //! magnification says.
 #![cfg(not(target_arch = "wasm32"))]
 
-use conformal_warp::map::cortex::{CorticalModel, Gaze, Hemisphere, VisualCortex};
-use conformal_warp::plane::{Complex64, Frame};
-use conformal_warp::warp::{Light, Texture, WarpOptions, Wrap, recovery};
+use conformal_warp::warp::recovery;
+use conformal_warp::{
+    Complex64, CorticalModel, Frame, Gaze, Hemisphere, Light, Texture, VisualCortex, WarpOptions, Wrap,
+};
 
 const MODEL: CorticalModel = CorticalModel::POLIMENI_2006;
 

@@ -5,8 +5,7 @@
 mod common;
 
 use common::{case, largest, share, solve, spread_points};
-use conformal_warp::map::RegionMap;
-use conformal_warp::plane::{Complex64, Curve, Region};
+use conformal_warp::{Complex64, Curve, Region, RegionMap};
 use std::f64::consts::FRAC_PI_2;
 
 fn c(re: f64, im: f64) -> Complex64 {

@@ -4,8 +4,7 @@
 mod common;
 
 use common::{EXACT_CASES, case, largest, points, polygon, share, solve, spread_points};
-use conformal_warp::map::{RegionMap, RiemannMap};
-use conformal_warp::plane::{Complex64, Region};
+use conformal_warp::{Complex64, Region, RegionMap, RiemannMap};
 
 fn c(re: f64, im: f64) -> Complex64 {
     Complex64::new(re, im)

@@ -5,8 +5,7 @@
 mod common;
 
 use common::{case, polygon, solve, spread_points};
-use conformal_warp::map::{Compose, FormulaMap, Inverse, InvertibleMap, Jet, Moebius, PlaneMap, RiemannMap};
-use conformal_warp::plane::Complex64;
+use conformal_warp::{Complex64, Compose, FormulaMap, Inverse, InvertibleMap, Jet, Moebius, PlaneMap, RiemannMap};
 use std::f64::consts::PI;
 
 fn c(re: f64, im: f64) -> Complex64 {

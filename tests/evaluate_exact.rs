@@ -5,8 +5,7 @@
 mod common;
 
 use common::{EXACT_CASES, case, exact, largest, polygon, share, solve, spread_points};
-use conformal_warp::map::RiemannMap;
-use conformal_warp::plane::{Complex64, Curve, Region};
+use conformal_warp::{Complex64, Curve, Region, RiemannMap};
 use std::f64::consts::{PI, TAU};
 
 fn c(re: f64, im: f64) -> Complex64 {

@@ -1,8 +1,7 @@
 //! Formulas against tables made by mpmath (tests/fixtures/formula/make.py).
 
-use conformal_warp::map::{FormulaMap, Jet, PlaneMap};
-use conformal_warp::plane::Complex64;
 use conformal_warp::presets::PRESETS;
+use conformal_warp::{Complex64, FormulaMap, Jet, PlaneMap};
 use serde::Deserialize;
 
 #[derive(Deserialize)]

@@ -1,8 +1,6 @@
 //! What formulas may be made of, and what is said of those that may not.
 
-use conformal_warp::Error;
-use conformal_warp::map::{FormulaMap, Jet, PlaneMap};
-use conformal_warp::plane::Complex64;
+use conformal_warp::{Complex64, Error, FormulaMap, Jet, PlaneMap};
 
 const Z: Complex64 = Complex64::new(0.3, -1.7);
 

@@ -1,8 +1,6 @@
 //! Random formulas: derivatives against differences, and texts of any kind against panics.
 
-use conformal_warp::Error;
-use conformal_warp::map::{FormulaMap, Jet, PlaneMap};
-use conformal_warp::plane::Complex64;
+use conformal_warp::{Complex64, Error, FormulaMap, Jet, PlaneMap};
 
 /// SplitMix64: the same formulas everywhere.
 struct Random(u64);

@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-use conformal_warp::map::{RiemannMap, SolveOptions};
-use conformal_warp::mesh::{JointTriangulation, MeshOptions};
-use conformal_warp::plane::{Complex64, Curve, Frame, Region};
+use conformal_warp::{Complex64, Curve, Frame, JointTriangulation, MeshOptions, Region, RiemannMap, SolveOptions};
 
 #[derive(serde::Deserialize)]
 struct Case {

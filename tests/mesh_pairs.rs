@@ -5,8 +5,7 @@
 
 mod support;
 
-use conformal_warp::map::{RiemannMap, SolveOptions};
-use conformal_warp::mesh::{JointTriangulation, MeshOptions};
+use conformal_warp::{JointTriangulation, MeshOptions, RiemannMap, SolveOptions};
 use std::time::Instant;
 use support::Random;
 

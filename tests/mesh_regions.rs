@@ -4,10 +4,10 @@
 
 mod warp_common;
 
-use conformal_warp::map::{RegionMap, RiemannMap, SolveOptions};
-use conformal_warp::mesh::{Density, JointTriangulation, MeshOptions, Route};
-use conformal_warp::plane::{Complex64, Curve, Frame, Region};
-use conformal_warp::warp::{Direction, Light, Quality, Texture, Warp, WarpOptions, Wrap};
+use conformal_warp::{
+    Complex64, Curve, Density, Direction, Frame, JointTriangulation, Light, MeshOptions, Quality, Region, RegionMap,
+    RiemannMap, Route, SolveOptions, Texture, Warp, WarpOptions, Wrap,
+};
 use warp_common::psnr;
 
 /// Corners in pixels of the photo, y down.

@@ -6,16 +6,16 @@
 mod common;
 
 use common::{angle_error, boundary_points, exact, largest, polygon, solve};
-use conformal_warp::map::{RiemannMap, SolveOptions};
-use conformal_warp::plane::{Complex64, Curve, Region};
+use conformal_warp::Stop;
 use conformal_warp::symm::correspondence::BoundaryCorrespondence;
 use conformal_warp::symm::discretisation::Discretisation;
 use conformal_warp::symm::order::Order;
 use conformal_warp::symm::panel::{Boundary, Panel, initial_panels};
 use conformal_warp::symm::potential::LogPotential;
 use conformal_warp::symm::rule::Rules;
-use conformal_warp::symm::solve::{Solution, Stop};
+use conformal_warp::symm::solution::Solution;
 use conformal_warp::symm::system::System;
+use conformal_warp::{Complex64, Curve, Region, RiemannMap, SolveOptions};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 

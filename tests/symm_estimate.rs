@@ -4,7 +4,7 @@
 mod common;
 
 use common::{EXACT_CASES, case, exact, largest_difference, points, polygon, solve};
-use conformal_warp::plane::{Complex64, Region};
+use conformal_warp::{Complex64, Region};
 
 fn regions() -> Vec<(String, Region)> {
     let names = EXACT_CASES.iter().chain(&["neck", "slot", "spike", "rect10", "rect20"]);

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{EXACT_CASES, angle_error, case, exact, largest, points, polygon, solve};
-use conformal_warp::plane::Complex64;
+use conformal_warp::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 fn c(re: f64, im: f64) -> Complex64 {

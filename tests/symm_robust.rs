@@ -4,8 +4,7 @@
 mod common;
 
 use common::{EXACT_CASES, angle_error, case, exact, largest, largest_difference, points, polygon, solve};
-use conformal_warp::map::{RiemannMap, SolveOptions, Stop};
-use conformal_warp::plane::{Complex64, Curve, Region};
+use conformal_warp::{Complex64, Curve, Region, RiemannMap, SolveOptions, Stop};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 fn c(re: f64, im: f64) -> Complex64 {

@@ -4,8 +4,8 @@
 mod common;
 
 use common::{case, exact, points, polygon, schwarz_christoffel::side_lengths, solve};
-use conformal_warp::plane::{Complex64, Region};
 use conformal_warp::symm::panel::Boundary;
+use conformal_warp::{Complex64, Region};
 use std::collections::BTreeSet;
 
 /// The largest relative error of the sides that are not crowded as seen from the region's center, and which those are.

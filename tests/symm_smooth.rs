@@ -5,8 +5,7 @@
 mod common;
 
 use common::{angle_error, exact, kerzman_stein, largest, solve};
-use conformal_warp::map::Stop;
-use conformal_warp::plane::{Complex64, Curve, Region};
+use conformal_warp::{Complex64, Curve, Region, Stop};
 use std::f64::consts::TAU;
 
 fn region(n: usize, center: Complex64, at: impl Fn(f64) -> Complex64) -> Region {

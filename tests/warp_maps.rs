@@ -3,9 +3,7 @@
 
 mod warp_common;
 
-use conformal_warp::map::{Jet, PlaneMap};
-use conformal_warp::plane::{Complex64, Frame};
-use conformal_warp::warp::{Direction, Light, Quality, Texture, Warp, WarpOptions, Wrap};
+use conformal_warp::{Complex64, Direction, Frame, Jet, Light, PlaneMap, Quality, Texture, Warp, WarpOptions, Wrap};
 use std::f64::consts::PI;
 use warp_common::{Picture, Truth, psnr};
 

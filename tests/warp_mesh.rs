@@ -4,8 +4,7 @@
 
 mod warp_common;
 
-use conformal_warp::plane::{Complex64, Frame};
-use conformal_warp::warp::{Direction, Light, Quality, Texture, TriangleMesh, Warp, WarpOptions, Wrap};
+use conformal_warp::{Complex64, Direction, Frame, Light, Quality, Texture, TriangleMesh, Warp, WarpOptions, Wrap};
 use std::f64::consts::TAU;
 use warp_common::{Picture, Truth, psnr};
 

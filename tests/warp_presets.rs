@@ -6,10 +6,9 @@
 
 mod warp_common;
 
-use conformal_warp::map::FormulaMap;
-use conformal_warp::plane::{Complex64, Frame};
 use conformal_warp::presets::{PRESETS, Preset};
-use conformal_warp::warp::{Direction, Light, Quality, Texture, Warp, WarpOptions, Wrap};
+use conformal_warp::{Complex64, FormulaMap, Frame};
+use conformal_warp::{Direction, Light, Quality, Texture, Warp, WarpOptions, Wrap};
 use std::f64::consts::{PI, TAU};
 use warp_common::{Picture, Truth};
 

@@ -2,10 +2,9 @@
 #![cfg(target_arch = "wasm32")]
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
-use conformal_warp::plane::Complex64;
-use conformal_warp::warp::{Direction, TriangleMesh};
 use conformal_warp::wasm::texture::{Texture, TextureOptions};
 use conformal_warp::wasm::warp::{DrawOptions, warp};
+use conformal_warp::{Complex64, Direction, TriangleMesh};
 use js_sys::{Reflect, Uint8ClampedArray};
 use tsify::Ts;
 use wasm_bindgen::{JsCast, JsValue};

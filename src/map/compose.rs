@@ -6,8 +6,7 @@ use crate::plane::Complex64;
 /// outer ∘ inner: z → outer(inner(z)), with the chain rule.
 ///
 /// ```
-/// use conformal_warp::map::{Compose, FormulaMap, Jet, PlaneMap};
-/// use conformal_warp::plane::Complex64;
+/// use conformal_warp::{Complex64, Compose, FormulaMap, Jet, PlaneMap};
 /// let map = Compose { outer: FormulaMap::new("z^2")?, inner: FormulaMap::new("z + 1")? };
 /// let mut jet = [Jet::UNDEFINED];
 /// map.jets(&[Complex64::new(2.0, 0.0)], &mut jet);
@@ -37,7 +36,7 @@ impl<F: InvertibleMap, G: InvertibleMap> InvertibleMap for Compose<F, G> {
 }
 
 /// The jets of `second` after `first`.
-pub(super) fn chain(
+pub(crate) fn chain(
     points: &[Complex64],
     jets: &mut [Jet],
     first: impl FnOnce(&[Complex64], &mut [Jet]),
@@ -55,7 +54,8 @@ pub(super) fn chain(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::{FormulaMap, Moebius};
+    use crate::formula::FormulaMap;
+    use crate::map::Moebius;
 
     #[test]
     fn the_chain_rule_holds_for_maps_that_are_not_analytic() {

@@ -20,8 +20,7 @@ pub trait InvertibleMap: PlaneMap {
 /// The inverse of a map.
 ///
 /// ```
-/// use conformal_warp::map::{InvertibleMap, Jet, Moebius, PlaneMap};
-/// use conformal_warp::plane::Complex64;
+/// use conformal_warp::{Complex64, InvertibleMap, Jet, Moebius, PlaneMap};
 /// let from_disk = Moebius::cayley().inverted();
 /// let mut jet = [Jet::UNDEFINED];
 /// from_disk.jets(&[Complex64::ZERO], &mut jet);

@@ -1,25 +1,16 @@
-//! Maps of the plane, each with its derivative: what a warp pulls a picture back through.
+//! The algebra of maps of the plane, each with its derivative: what a warp pulls a picture back through.
+//!
+//! Which maps there are, this module does not know: they stand above it, side by side.
 
-mod compose;
-pub mod cortex;
-mod evaluate;
-mod formula;
+pub(crate) mod compose;
 mod inverse;
 mod moebius;
-mod region_map;
-mod riemann;
-mod solved;
 
 pub use compose::Compose;
-pub use formula::FormulaMap;
 pub use inverse::{Inverse, InvertibleMap};
 pub use moebius::Moebius;
-pub use region_map::RegionMap;
 
 use crate::plane::Complex64;
-
-pub use crate::symm::solve::{Progress, SolveOptions, Stop};
-pub use riemann::{DiskPoint, RiemannMap};
 
 /// A map's value at a point and its first derivatives there.
 ///
@@ -92,7 +83,7 @@ pub trait PlaneMap {
 }
 
 /// Writes `f(point)` for every point, and [`Jet::UNDEFINED`] where it is none: the loop of maps that go point by point.
-fn pointwise(points: &[Complex64], jets: &mut [Jet], f: impl Fn(Complex64) -> Option<Jet>) {
+pub(crate) fn pointwise(points: &[Complex64], jets: &mut [Jet], f: impl Fn(Complex64) -> Option<Jet>) {
     for (&point, jet) in points.iter().zip(jets) {
         *jet = f(point).unwrap_or(Jet::UNDEFINED);
     }

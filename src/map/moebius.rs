@@ -9,8 +9,7 @@ use crate::{Error, Result};
 /// A point with an infinite part stands for ∞.
 ///
 /// ```
-/// use conformal_warp::map::Moebius;
-/// use conformal_warp::plane::Complex64;
+/// use conformal_warp::{Complex64, Moebius};
 /// let cayley = Moebius::cayley();
 /// assert_eq!(cayley.apply(Complex64::I), Complex64::ZERO);
 /// assert_eq!(cayley.inverse().apply(Complex64::ZERO), Complex64::I);

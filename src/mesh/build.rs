@@ -7,8 +7,8 @@ use super::locate::Located;
 use super::options::{Density, MeshOptions, Route};
 use super::{JointTriangulation, net, scan};
 use crate::Result;
-use crate::map::{RegionMap, RiemannMap};
 use crate::plane::{Complex64, Polygon};
+use crate::riemann::{RegionMap, RiemannMap};
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
@@ -22,9 +22,7 @@ impl JointTriangulation {
     /// Region → disk: the nodes of the region and their images under its Riemann map.
     ///
     /// ```
-    /// use conformal_warp::map::{RiemannMap, SolveOptions};
-    /// use conformal_warp::mesh::{JointTriangulation, MeshOptions};
-    /// use conformal_warp::plane::{Complex64, Curve, Region};
+    /// use conformal_warp::{Complex64, Curve, JointTriangulation, MeshOptions, Region, RiemannMap, SolveOptions};
     /// let corners = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)];
     /// let corners = corners.map(|(x, y)| Complex64::new(x, y));
     /// let region = Region::new(&corners, Curve::Polygon, Complex64::new(0.6, 0.6), Complex64::new(2.0, 0.5))?;

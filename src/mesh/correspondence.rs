@@ -1,8 +1,8 @@
 //! Which points of the two copies belong together.
 
 use super::side::{Side, UnitDisk};
-use crate::map::{RegionMap, RiemannMap};
 use crate::plane::{BoundaryPoint, Complex64};
+use crate::riemann::{RegionMap, RiemannMap};
 
 /// A map from one copy to the other, both ways.
 ///

@@ -71,7 +71,8 @@ impl JointTriangulation {
     /// A joint triangulation from its parts: two copies of the nodes, and triangles anticlockwise in both.
     ///
     /// ```
-    /// use conformal_warp::{mesh::JointTriangulation, plane::Complex64};
+    /// use conformal_warp::JointTriangulation;
+    /// use conformal_warp::Complex64;
     /// let source = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| Complex64::new(x, y)).to_vec();
     /// let target = source.iter().map(|z| z * Complex64::i()).collect();
     /// let mesh = JointTriangulation::from_parts(source, target, vec![[0, 1, 2]])?;

@@ -5,8 +5,8 @@ use super::correspondence::Correspondence;
 use super::scan;
 use super::side::{Outline, Side};
 use crate::Result;
-use crate::map::RegionMap;
 use crate::plane::{BoundaryPoint, Complex64};
+use crate::riemann::RegionMap;
 use spade::{DelaunayTriangulation, HasPosition, Point2, PositionInTriangulation, Triangulation};
 
 /// A sample of the region: its image in the disk, where it is looked for, and where it came from.

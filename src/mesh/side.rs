@@ -1,7 +1,7 @@
 //! One copy of a joint triangulation: its outline, and where the points of that outline lie on the circle.
 
-use crate::map::RiemannMap;
 use crate::plane::{BoundaryPoint, Complex64, Polygon, SmoothCurve};
+use crate::riemann::RiemannMap;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 

@@ -69,7 +69,7 @@ impl Frame {
     /// Pixel coordinates → plane. The centre of pixel (i, j) is at `(i + 0.5, j + 0.5)`.
     ///
     /// ```
-    /// use conformal_warp::plane::{Complex64, Frame};
+    /// use conformal_warp::{Complex64, Frame};
     /// let frame = Frame::new(Complex64::new(1.0, 2.0), 4.0, [400, 200]).unwrap();
     /// assert_eq!(frame.to_plane(0.0, 0.0), Complex64::new(-1.0, 3.0)); // the top left corner
     /// ```

@@ -13,7 +13,7 @@ use kurbo::{BezPath, PathEl, Point};
 /// Whether it can bound a region is not asked: that is [`Region::new`](super::Region::new)'s.
 ///
 /// ```
-/// use conformal_warp::plane::parse_outline;
+/// use conformal_warp::parse_outline;
 /// let square = parse_outline("[[0, 0], [2, 0], [2, 1], [0, 1]]", 10.0, 0.1)?;
 /// assert_eq!((square.len(), square[2].re, square[2].im), (4, 20.0, 10.0));
 /// let rounded = parse_outline("M0,0 h20 c5,0 5,-10 0,-10 h-20 z", 1.0, 0.1)?;

@@ -30,7 +30,7 @@ impl Region {
     /// A region from its boundary points, in either orientation. `toward` is snapped to the nearest boundary point.
     ///
     /// ```
-    /// use conformal_warp::plane::{Complex64, Curve, Region};
+    /// use conformal_warp::{Complex64, Curve, Region};
     /// let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Complex64::new(x, y));
     /// let region = Region::new(&square, Curve::Polygon, Complex64::new(0.0, 0.0), Complex64::new(1.0, 0.0))?;
     /// assert_eq!(region.toward().edge, 1);

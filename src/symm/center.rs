@@ -1,7 +1,7 @@
 //! Another center for a solved region, on the same panels.
 
+use super::options::{Progress, SolveOptions, Stop};
 use super::solution::{ERROR_PER_RESIDUAL, Solution, estimate_of, finish};
-use super::solve::{Progress, SolveOptions, Stop};
 use crate::Result;
 use crate::plane::Complex64;
 use std::f64::consts::TAU;

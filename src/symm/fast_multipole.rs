@@ -7,7 +7,7 @@
 use super::clusters::{Cluster, ClusterTree, Interactions};
 use super::discretisation::{Discretisation, Target};
 use super::influence::Influence;
-use super::solve::Progress;
+use super::options::Progress;
 use crate::plane::Complex64;
 use crate::{Error, Result};
 

@@ -2,7 +2,7 @@
 
 use super::discretisation::{Discretisation, Target};
 use super::lu::dot;
-use super::solve::Progress;
+use super::options::Progress;
 use crate::{Error, Result};
 
 /// The linear map from node masses to ∫ log|x − y| dμ(y) at a fixed list of points x.

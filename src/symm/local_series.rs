@@ -9,7 +9,7 @@ use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::Discretisation;
 use super::legendre::{GaussRule, MAX_NODES, legendre};
 use super::series_sum::{MAX_TERMS, Piece, Sum, binomials};
-use super::solve::Solution;
+use super::solution::Solution;
 use crate::plane::Complex64;
 
 /// A cluster is far when its radius is at most this share of its distance from the disk of the series.
@@ -297,7 +297,8 @@ fn panel_sources(
 
 #[cfg(test)]
 mod tests {
-    use super::super::solve::{SolveOptions, solve};
+    use super::super::options::SolveOptions;
+    use super::super::solve::solve;
     use super::*;
     use crate::plane::{Curve, Region};
 

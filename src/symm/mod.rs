@@ -10,6 +10,7 @@
 //! region, also one of logarithmic capacity 1.
 //!
 //! In the order of the computation:
+//! - [`options`] says what is wanted;
 //! - [`panel`] cuts the boundary; [`order`] says how finely; [`rule`] integrates the logarithm over a panel,
 //!   from [`panel_blocks`] ([`log_moments`] when near); [`discretisation`] writes the equations;
 //! - [`system`] solves them: by factorisation ([`lu`]) when small, else by iteration ([`gmres`]) with a preconditioner
@@ -32,6 +33,7 @@ pub mod legendre;
 pub mod local_series;
 pub mod log_moments;
 pub mod lu;
+pub mod options;
 pub mod order;
 pub mod panel;
 pub mod panel_blocks;

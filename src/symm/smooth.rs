@@ -5,8 +5,8 @@
 //! (R. Kress, *Linear Integral Equations*, section 12.3).
 
 use super::lu::Lu;
+use super::options::{Progress, SolveOptions, Stop};
 use super::solution::ERROR_PER_RESIDUAL;
-use super::solve::{Progress, SolveOptions, Stop};
 use crate::plane::{Complex64, SmoothCurve};
 use crate::{Error, Result};
 use std::f64::consts::TAU;

@@ -6,8 +6,8 @@
 
 use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::Discretisation;
+use super::options::Stop;
 use super::potential::LogPotential;
-use super::solve::Stop;
 use super::system::{System, SystemSolution};
 use crate::plane::{BoundaryPoint, Complex64};
 use crate::{Error, Result};

@@ -5,7 +5,7 @@ use super::fast_multipole::FastInfluence;
 use super::gmres::gmres;
 use super::influence::{DenseInfluence, Influence};
 use super::lu::Lu;
-use super::solve::Progress;
+use super::options::Progress;
 use super::two_level::TwoLevel;
 use crate::Result;
 use crate::plane::Complex64;

@@ -6,7 +6,7 @@
 
 use super::discretisation::Discretisation;
 use super::lu::Lu;
-use super::solve::Progress;
+use super::options::Progress;
 use crate::plane::Complex64;
 use crate::{Error, Result};
 use std::ops::Range;

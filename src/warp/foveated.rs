@@ -58,8 +58,7 @@ impl FoveatedTexture {
     /// own resolution, `side` pixels square, each before it twice as wide, up to the one that holds the whole picture.
     ///
     /// ```
-    /// use conformal_warp::plane::{Complex64, Frame};
-    /// use conformal_warp::warp::FoveatedTexture;
+    /// use conformal_warp::{Complex64, FoveatedTexture, Frame};
     /// let picture = Frame::new(Complex64::new(0.0, 0.0), 2.0, [4000, 3000])?;
     /// let crops = FoveatedTexture::crops(&picture, Complex64::new(0.1, 0.0), 512)?;
     /// assert_eq!(crops.len(), 4);
@@ -262,7 +261,7 @@ fn over(above: [u8; 4], below: [u8; 4], share: f32) -> [u8; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::FormulaMap;
+    use crate::formula::FormulaMap;
     use crate::warp::Quality;
 
     /// Waves that get finer towards the fixation point, as detail that only the inner crops can hold.

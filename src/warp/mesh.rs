@@ -15,8 +15,7 @@ use crate::{Error, Result};
 /// with a corner that is not finite is left out.
 ///
 /// ```
-/// use conformal_warp::plane::{Complex64, Frame};
-/// use conformal_warp::warp::{Direction, Light, Texture, TriangleMesh, Warp, WarpOptions, Wrap};
+/// use conformal_warp::{Complex64, Direction, Frame, Light, Texture, TriangleMesh, Warp, WarpOptions, Wrap};
 ///
 /// let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Complex64::new(x, y));
 /// let turned = square.map(|z| z * Complex64::i());

@@ -68,9 +68,7 @@ impl Overlay {
     /// is not defined nothing is drawn.
     ///
     /// ```
-    /// use conformal_warp::map::FormulaMap;
-    /// use conformal_warp::plane::{Complex64, Frame};
-    /// use conformal_warp::warp::{Overlay, Stroke};
+    /// use conformal_warp::{Complex64, FormulaMap, Frame, Overlay, Stroke};
     /// let view = Frame::new(Complex64::ZERO, 4.0, [64, 64])?;
     /// let mut rgba = vec![0; 4 * 64 * 64];
     /// let grid = Overlay::Cartesian { spacing: 0.5, stroke: Stroke::default() };
@@ -265,7 +263,7 @@ fn lay_over(pixel: &mut [u8; 4], color: Rgb, opacity: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::FormulaMap;
+    use crate::formula::FormulaMap;
 
     fn draw(overlay: Overlay, formula: &str, width: f64, pixels: usize) -> Vec<u8> {
         let view = Frame::new(Complex64::ZERO, width, [pixels, pixels]).unwrap();

@@ -11,9 +11,7 @@ use std::ops::Range;
 /// and no time; drawing only samples.
 ///
 /// ```
-/// use conformal_warp::map::FormulaMap;
-/// use conformal_warp::plane::{Complex64, Frame};
-/// use conformal_warp::warp::{Light, Texture, Warp, WarpOptions, Wrap};
+/// use conformal_warp::{Complex64, FormulaMap, Frame, Light, Texture, Warp, WarpOptions, Wrap};
 /// let frame = Frame::new(Complex64::new(0.0, 0.0), 2.0, [64, 48])?;
 /// let mut texture = Texture::new(&[0; 4 * 64 * 48], 64, 48, Wrap::Transparent, Light::Linear)?;
 /// let prepared = FormulaMap::new("z^2")?.prepare(&texture, &WarpOptions::new(frame, frame))?;
@@ -220,7 +218,8 @@ impl Footprints {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::{FormulaMap, PlaneMap};
+    use crate::formula::FormulaMap;
+    use crate::map::PlaneMap;
     use crate::plane::{Complex64, Frame};
     use crate::warp::{Direction, Light, TriangleMesh, Warp};
 

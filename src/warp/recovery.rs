@@ -13,9 +13,10 @@ use crate::{Error, Result};
 /// what each recovers ([`add`]).
 ///
 /// ```
-/// use conformal_warp::map::cortex::{CorticalModel, Gaze, Hemisphere, VisualCortex};
-/// use conformal_warp::plane::{Complex64, Frame};
-/// use conformal_warp::warp::{Light, Texture, WarpOptions, Wrap, recovery};
+/// use conformal_warp::{
+///     Complex64, CorticalModel, Frame, Gaze, Hemisphere, Light, Texture, VisualCortex, WarpOptions, Wrap,
+/// };
+/// use conformal_warp::warp::recovery;
 /// let frame = Frame::new(Complex64::new(0.0, 0.0), 2.0, [32, 32])?;
 /// let texture = Texture::new(&[90; 4 * 32 * 32], 32, 32, Wrap::Transparent, Light::Linear)?;
 /// let gaze = Gaze::new(&frame, 40.0, frame.center())?;

@@ -46,7 +46,7 @@ impl Texture {
     /// RGBA bytes (straight alpha, row-major, 4 · `width` · `height` of them) → texture. Any size from 1 × 1.
     ///
     /// ```
-    /// use conformal_warp::warp::{Light, Texture, Wrap};
+    /// use conformal_warp::{Light, Texture, Wrap};
     /// let gray = vec![128; 4 * 3 * 5];
     /// let texture = Texture::new(&gray, 3, 5, Wrap::Clamp, Light::Linear)?;
     /// assert_eq!(texture.size(), [3, 5]);

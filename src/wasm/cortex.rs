@@ -9,7 +9,7 @@ use super::prepared::{self, PreparedWarp};
 use super::riemann::RiemannMap;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
-use crate::map::cortex::{self, CorticalModel, FieldPoint, Gaze, Hemisphere, Landmark, VisualCortex};
+use crate::cortex::{self, CorticalModel, FieldPoint, Gaze, Hemisphere, Landmark, VisualCortex};
 use crate::map::{InvertibleMap, Jet, PlaneMap};
 use crate::plane::Frame;
 use crate::warp::{Direction, Quality, WarpOptions, recovery};

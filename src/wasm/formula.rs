@@ -7,7 +7,6 @@ use super::points;
 use super::prepared::{self, PreparedWarp};
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
-use crate::map;
 use crate::warp::Direction;
 use js_sys::{Object, Uint8ClampedArray};
 use serde::Deserialize;
@@ -33,7 +32,7 @@ pub struct FormulaOptions {
 /// - Branches: `log(z, k)`, `sqrt(z, k)`, `pow(z, a, k)`; `sum(n, 1, 10, z^n/n)`, `prod(…)`, `iterate(w, z, 8, w^2 + z)`.
 #[derive(Debug)]
 #[wasm_bindgen]
-pub struct FormulaMap(map::FormulaMap);
+pub struct FormulaMap(crate::formula::FormulaMap);
 
 #[wasm_bindgen]
 impl FormulaMap {
@@ -44,7 +43,7 @@ impl FormulaMap {
     pub fn new(text: &str, options: Option<Ts<FormulaOptions>>) -> Result<Self, Failure> {
         let FormulaOptions { params } = options::read_or_default(options.as_ref())?;
         let params: Vec<_> = params.iter().map(|(name, &value)| (name.as_str(), value.into())).collect();
-        Ok(Self(map::FormulaMap::with_params(text, &params)?))
+        Ok(Self(crate::formula::FormulaMap::with_params(text, &params)?))
     }
 
     /// f at each point `[x0, y0, x1, y1, …]`; NaN where it is not defined.
@@ -121,7 +120,7 @@ impl FormulaMap {
 impl FormulaMap {
     /// The map itself, for the classes that are made from one.
     #[must_use]
-    pub fn inner(&self) -> &map::FormulaMap {
+    pub fn inner(&self) -> &crate::formula::FormulaMap {
         &self.0
     }
 }

@@ -6,7 +6,6 @@ use super::prepared::{self, PreparedWarp};
 use super::riemann::RiemannMap;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
-use crate::map;
 use crate::warp::Direction;
 use js_sys::Uint8ClampedArray;
 use tsify::Ts;
@@ -15,13 +14,13 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// The conformal map region A → region B through the disk: center to center, `toward` to `toward`.
 #[derive(Debug)]
 #[wasm_bindgen]
-pub struct RegionMap(map::RegionMap);
+pub struct RegionMap(crate::riemann::RegionMap);
 
 #[wasm_bindgen]
 impl RegionMap {
     /// The map from A's region to B's. Nothing is solved; both maps may be freed afterwards.
     pub fn between(a: &RiemannMap, b: &RiemannMap) -> Self {
-        Self(map::RegionMap::between(a.inner(), b.inner()))
+        Self(crate::riemann::RegionMap::between(a.inner(), b.inner()))
     }
 
     /// A → B, point by point `[x0, y0, x1, y1, …]`; NaN outside the closed region A.

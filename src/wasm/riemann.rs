@@ -9,7 +9,7 @@ use super::progress::Progress;
 use super::region::Region;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
-use crate::map::{self, SolveOptions, Stop};
+use crate::symm::options::{SolveOptions, Stop};
 use crate::warp::Direction;
 use js_sys::{Function, Uint8ClampedArray};
 use serde::Deserialize;
@@ -53,7 +53,7 @@ pub struct CenterOptions {
 /// The conformal map region → unit disk with `center` → 0 and `toward` → 1, by Symm's method.
 #[derive(Debug)]
 #[wasm_bindgen]
-pub struct RiemannMap(map::RiemannMap);
+pub struct RiemannMap(crate::riemann::RiemannMap);
 
 #[wasm_bindgen]
 impl RiemannMap {
@@ -70,8 +70,9 @@ impl RiemannMap {
         };
         memory::reserve(region.inner().boundary().len());
         let mut progress = Progress::new(given.on_progress);
-        let solved =
-            map::RiemannMap::solve(region.inner(), &options, &mut |stage, fraction| progress.report(stage, fraction));
+        let solved = crate::riemann::RiemannMap::solve(region.inner(), &options, &mut |stage, fraction| {
+            progress.report(stage, fraction)
+        });
         progress.finish(solved).map(Self)
     }
 
@@ -182,12 +183,12 @@ impl RiemannMap {
 impl RiemannMap {
     /// The map itself, for the classes that are made from one.
     #[must_use]
-    pub fn inner(&self) -> &map::RiemannMap {
+    pub fn inner(&self) -> &crate::riemann::RiemannMap {
         &self.0
     }
 
     /// The map itself, with room for the evaluator that its first use builds.
-    fn evaluated(&self) -> &map::RiemannMap {
+    fn evaluated(&self) -> &crate::riemann::RiemannMap {
         if self.0.evaluator_bytes() == 0 {
             memory::reserve(0);
         }

@@ -1,7 +1,7 @@
 //! Exact answers of conformal maps, from the theory of elliptic functions.
 
 use super::{complex, polygon};
-use conformal_warp::plane::{Complex64, Region};
+use conformal_warp::{Complex64, Region};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Vertices of [−a, a] × [−1, 1] from the lower left, counter-clockwise.

@@ -1,7 +1,7 @@
 //! The boundary correspondence of a smooth region by Kerzman and Stein's integral equation for the Szegő kernel
 //! (N. Kerzman, M. R. Trummer, J. Comput. Appl. Math. 14, 1986): a second method, sharing nothing with Symm's.
 
-use conformal_warp::plane::Complex64;
+use conformal_warp::Complex64;
 use conformal_warp::symm::lu::Lu;
 use std::f64::consts::TAU;
 

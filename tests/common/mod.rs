@@ -5,8 +5,7 @@ pub mod exact;
 pub mod kerzman_stein;
 pub mod schwarz_christoffel;
 
-use conformal_warp::map::{RiemannMap, SolveOptions};
-use conformal_warp::plane::{BoundaryPoint, Complex64, Curve, Region};
+use conformal_warp::{BoundaryPoint, Complex64, Curve, Region, RiemannMap, SolveOptions};
 use std::f64::consts::TAU;
 
 /// A region from `tests/fixtures`; those built from the Schwarz–Christoffel integral carry their exact answers.

@@ -1,6 +1,6 @@
 //! Random simple polygons for property tests.
 
-use conformal_warp::plane::{Complex64, Curve, Polygon, Region};
+use conformal_warp::{Complex64, Curve, Polygon, Region};
 
 /// A small, fast generator with a fixed sequence for each seed (SplitMix64).
 pub struct Random(u64);

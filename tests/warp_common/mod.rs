@@ -1,8 +1,7 @@
 //! Pictures with hard content, and what a warp of them should look like: brute-force supersampling.
 #![allow(dead_code, reason = "each test file uses its part")]
 
-use conformal_warp::plane::{Complex64, Frame};
-use conformal_warp::warp::{Light, Wrap};
+use conformal_warp::{Complex64, Frame, Light, Wrap};
 
 /// A square picture of RGBA bytes.
 pub struct Picture {

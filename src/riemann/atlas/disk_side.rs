@@ -1,7 +1,7 @@
 //! Disk → region, for one chart: a quadtree of Taylor polynomials of the inverse, and of arcs where Newton's method on a
 //! patch's series takes over.
 
-use super::atlas::Atlas;
+use super::charts::Atlas;
 use super::disk_builder::build;
 use super::patch::Patch;
 use super::quadtree::Quadtree;

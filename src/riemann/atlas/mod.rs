@@ -12,7 +12,7 @@
 //! its center in the hyperbolic plane, in a form that distance does not blur; from the frames of two regions comes the
 //! [`passage`] from one's charts to the other's.
 
-mod atlas;
+mod charts;
 mod disk_builder;
 mod disk_side;
 mod evaluator;
@@ -30,8 +30,9 @@ mod walls;
 mod zone;
 
 use crate::plane::Complex64;
-use crate::symm::solve::{Solution, SolveOptions};
-use atlas::Atlas;
+use crate::symm::options::SolveOptions;
+use crate::symm::solution::Solution;
+use charts::Atlas;
 use disk_side::{DiskSide, Source};
 pub use evaluator::Evaluator;
 use frame::Frame;

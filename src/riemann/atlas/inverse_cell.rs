@@ -1,7 +1,7 @@
 //! Polynomials of the inverse of one chart's map.
 
 use super::Accuracy;
-use super::atlas::{Atlas, MAX_COEFFICIENTS};
+use super::charts::{Atlas, MAX_COEFFICIENTS};
 use super::power_series::{rescale, revert};
 use super::region_side::RegionSide;
 use crate::plane::Complex64;

@@ -1,6 +1,6 @@
 //! How the disk is cut into cells and arcs for the inverse of one chart's map.
 
-use super::atlas::Atlas;
+use super::charts::Atlas;
 use super::inverse_cell::{Inverter, Pair};
 use super::patch::Patch;
 use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step};

@@ -25,7 +25,7 @@ impl FieldPoint {
     /// Direction → stereographic field coordinate tan(E/2)·e^{iθ}.
     ///
     /// ```
-    /// use conformal_warp::map::cortex::FieldPoint;
+    /// use conformal_warp::FieldPoint;
     /// let up = FieldPoint { eccentricity: 90.0, azimuth: 90.0 }.coordinate();
     /// assert!((up.re.abs() < 1e-15) && (up.im - 1.0).abs() < 1e-15);
     /// ```

@@ -7,7 +7,9 @@ use super::walls::Walls;
 use super::zone::Zones;
 use crate::plane::Complex64;
 use crate::symm::local_series::LocalSeries;
-use crate::symm::solve::{Solution, SolveOptions, solve_again};
+use crate::symm::options::SolveOptions;
+use crate::symm::solution::Solution;
+use crate::symm::solve::solve_again;
 
 /// One center's map region → disk, with vertex 0 ↦ 1 (scaled units).
 #[derive(Clone, Debug)]

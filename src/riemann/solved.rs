@@ -5,8 +5,10 @@
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64, Region};
 use crate::symm::center::move_center;
+use crate::symm::options::{Progress, SolveOptions, Stop};
 use crate::symm::smooth::{SmoothSolution, solve_smooth};
-use crate::symm::solve::{Progress, Solution, SolveOptions, Stop, solve};
+use crate::symm::solution::Solution;
+use crate::symm::solve::solve;
 use std::f64::consts::TAU;
 
 /// The solution of Symm's equation on panels or on a smooth curve.

@@ -2,8 +2,9 @@
 
 use super::model::twice_area;
 use super::{CorticalModel, Degrees, Gaze, Mirrored, RetinoCorticalMap};
-use crate::map::{Compose, Inverse, InvertibleMap, Jet, PlaneMap, RiemannMap};
+use crate::map::{Compose, Inverse, InvertibleMap, Jet, PlaneMap};
 use crate::plane::{Complex64, Frame};
+use crate::riemann::RiemannMap;
 use crate::{Error, Result};
 use std::fmt;
 use std::rc::Rc;
@@ -134,7 +135,7 @@ impl InvertibleMap for VisualCortex {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::cortex::FieldPoint;
+    use crate::cortex::FieldPoint;
 
     fn values(map: &impl PlaneMap, points: &[Complex64]) -> Vec<Complex64> {
         let mut jets = vec![Jet::UNDEFINED; points.len()];

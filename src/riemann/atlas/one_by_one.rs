@@ -1,7 +1,7 @@
 //! Disk → region for a few points: each by Newton's method, while a chart's tree is not worth building.
 
 use super::Accuracy;
-use super::atlas::Atlas;
+use super::charts::Atlas;
 use super::disk_side::Source;
 use super::inverse_cell::{Inverter, Pair};
 use super::region_side::RegionSide;

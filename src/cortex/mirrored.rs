@@ -35,7 +35,7 @@ impl<M: InvertibleMap> InvertibleMap for Mirrored<M> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::FormulaMap;
+    use crate::formula::FormulaMap;
 
     #[test]
     fn jets_are_those_of_the_written_out_map() {

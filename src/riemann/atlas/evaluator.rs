@@ -4,8 +4,8 @@ use super::super::solved::Solved;
 use super::frame::Frame;
 use super::{BEYOND_CIRCLE, Compass, DiskPoint, Expansions};
 use crate::plane::{Complex64, Region};
+use crate::symm::options::SolveOptions;
 use crate::symm::smooth::SmoothSolution;
-use crate::symm::solve::SolveOptions;
 use std::f64::consts::TAU;
 
 /// Region ↔ disk with vertex 0 ↦ 1.

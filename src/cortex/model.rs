@@ -43,7 +43,7 @@ impl CorticalModel {
     /// w = k log((z + a)/(z + b)) + k log(b/a), k in millimetres, a and b in degrees.
     ///
     /// ```
-    /// use conformal_warp::map::cortex::CorticalModel;
+    /// use conformal_warp::CorticalModel;
     /// let human = CorticalModel::dipole(15.0, 0.69, 80.0)?;
     /// assert_eq!(human, CorticalModel::POLIMENI_2006);
     /// assert!((human.area_within(90.0) / 2253.0 - 1.0).abs() < 0.01); // mm²

@@ -1,6 +1,6 @@
 //! The map beside the boundary: one real power series in the variable of a zone.
 
-use super::atlas::{Chart, MAX_COEFFICIENTS};
+use super::charts::{Chart, MAX_COEFFICIENTS};
 use super::fit::Fit;
 use super::power_series::{real_value, real_value_and_slope, revert, value};
 use super::zone::{Place, SHARE, Zone};

@@ -1,13 +1,12 @@
 //! The Riemann map of a region, by Symm's method.
 
-pub use super::evaluate::DiskPoint;
-use super::evaluate::{Compass, Evaluator};
+use super::atlas::{Compass, DiskPoint, Evaluator};
 use super::solved::Solved;
-use super::{Inverse, InvertibleMap, Jet, PlaneMap};
 use crate::Result;
+use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap};
 use crate::plane::{BoundaryPoint, Complex64, Region};
 use crate::symm::correspondence::angle_of_measure;
-use crate::symm::solve::{Progress, SolveOptions, Stop};
+use crate::symm::options::{Progress, SolveOptions, Stop};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
 
@@ -17,8 +16,7 @@ use std::sync::{Arc, OnceLock};
 /// ∫ log|x − y| dμ(y) + c = log|x − z₀| on the boundary (Frederick & Schwartz 1988, appendix 2, with g = −∫ log|z − y| dμ).
 ///
 /// ```
-/// use conformal_warp::map::{RiemannMap, SolveOptions};
-/// use conformal_warp::plane::{Complex64, Curve, Region};
+/// use conformal_warp::{Complex64, Curve, Region, RiemannMap, SolveOptions};
 /// let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Complex64::new(x, y));
 /// let region = Region::new(&square, Curve::Polygon, Complex64::new(0.0, 0.0), square[0])?;
 /// let map = RiemannMap::solve(&region, &SolveOptions::default(), &mut |_, _| true)?;
@@ -135,8 +133,7 @@ impl RiemannMap {
     /// and [`RiemannMap::from_disk_points`] do not have that limit.
     ///
     /// ```
-    /// use conformal_warp::map::{RiemannMap, SolveOptions};
-    /// use conformal_warp::plane::{Complex64, Curve, Region};
+    /// use conformal_warp::{Complex64, Curve, Region, RiemannMap, SolveOptions};
     /// let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Complex64::new(x, y));
     /// let region = Region::new(&square, Curve::Polygon, Complex64::new(0.0, 0.0), square[0])?;
     /// let map = RiemannMap::solve(&region, &SolveOptions::default(), &mut |_, _| true)?;

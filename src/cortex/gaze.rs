@@ -26,8 +26,7 @@ impl Gaze {
     /// looks at the point `fixation` of the plane.
     ///
     /// ```
-    /// use conformal_warp::map::cortex::{FieldPoint, Gaze};
-    /// use conformal_warp::plane::{Complex64, Frame};
+    /// use conformal_warp::{Complex64, FieldPoint, Frame, Gaze};
     /// let picture = Frame::new(Complex64::new(0.0, 0.0), 2.0, [640, 480])?;
     /// let gaze = Gaze::new(&picture, 60.0, Complex64::new(0.0, 0.0))?;
     /// let edge = gaze.direction(Complex64::new(1.0, 0.0));

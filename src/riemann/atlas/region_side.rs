@@ -1,6 +1,6 @@
 //! Region → disk: a quadtree of Taylor polynomials, and of patches where the boundary is.
 
-use super::atlas::{Atlas, MAX_COEFFICIENTS};
+use super::charts::{Atlas, MAX_COEFFICIENTS};
 use super::fit::Fit;
 use super::patch::Patch;
 use super::power_series::{rescale, value, value_and_slope};

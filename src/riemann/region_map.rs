@@ -1,7 +1,8 @@
 //! Region → region, through the disk.
 
-use super::evaluate::Passage;
-use super::{Inverse, InvertibleMap, Jet, PlaneMap, RiemannMap, pointwise};
+use super::RiemannMap;
+use super::atlas::Passage;
+use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap, pointwise};
 use crate::plane::{BoundaryPoint, Complex64};
 use std::sync::{Arc, OnceLock};
 
@@ -9,8 +10,7 @@ use std::sync::{Arc, OnceLock};
 /// a's.
 ///
 /// ```
-/// use conformal_warp::map::{RegionMap, RiemannMap, SolveOptions};
-/// use conformal_warp::plane::{Complex64, Curve, Region};
+/// use conformal_warp::{Complex64, Curve, Region, RegionMap, RiemannMap, SolveOptions};
 /// let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Complex64::new(x, y));
 /// let turned = square.map(|z| Complex64::new(0.0, 3.0) * z);
 /// let solve = |vertices: &[Complex64]| {

@@ -1,6 +1,6 @@
 //! Truncated power series.
 
-use super::atlas::MAX_COEFFICIENTS;
+use super::charts::MAX_COEFFICIENTS;
 use crate::plane::Complex64;
 
 /// Σ cₖ tᵏ.

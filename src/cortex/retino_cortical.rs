@@ -97,7 +97,7 @@ impl<M: InvertibleMap> InvertibleMap for RetinoCorticalMap<M> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::cortex::{CorticalModel, FieldPoint};
+    use crate::cortex::{CorticalModel, FieldPoint};
     use crate::map::{Compose, Inverse, Moebius};
 
     /// Cortex → disk where the answer is known: a dipole of the half disk, the unit of length in the field being 90°.

@@ -14,7 +14,7 @@ mod parser;
 mod program;
 mod run;
 
-use super::{Jet, PlaneMap};
+use crate::map::{Jet, PlaneMap};
 use crate::plane::Complex64;
 use crate::{Error, Result};
 use program::Program;
@@ -38,8 +38,7 @@ use program::Program;
 /// whole jet undefined. Text of any kind gives a map or an error, in bounded time.
 ///
 /// ```
-/// use conformal_warp::map::FormulaMap;
-/// use conformal_warp::plane::Complex64;
+/// use conformal_warp::{Complex64, FormulaMap};
 /// let mut map = FormulaMap::with_params("z^2 + 2t z", &[("t", Complex64::I)])?;
 /// let z = [Complex64::new(1.0, 1.0)];
 /// assert_eq!(map.eval(&z), [Complex64::new(-2.0, 4.0)]);

@@ -1,0 +1,51 @@
+//! What a solve should reach and may spend, how it reports, and why it ended.
+
+use crate::{Error, Result};
+
+/// What a solve should reach, and what it may spend.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolveOptions {
+    /// Largest acceptable error of the map (the disk has radius 1), from 1e-14 to 0.1.
+    pub tolerance: f64,
+    /// Largest number of unknowns.
+    pub max_unknowns: usize,
+    /// Most centers, at most 64, whose maps are solved and linked so that the far ends of long regions stay apart. With 1
+    /// nothing more is solved, and what lies beyond the reach of one center is crowded together.
+    pub max_charts: usize,
+}
+
+impl Default for SolveOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-8, max_unknowns: 150_000, max_charts: 64 }
+    }
+}
+
+impl SolveOptions {
+    /// Whether the tolerance is one that can be asked for.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`].
+    pub fn validate(&self) -> Result<()> {
+        if (1e-14..=0.1).contains(&self.tolerance) {
+            return Ok(());
+        }
+        Err(Error::InvalidOption { name: "tolerance", expected: "between 1e-14 and 0.1", value: self.tolerance })
+    }
+}
+
+/// Told the stage and the fraction done of a long computation; returns false to cancel it.
+pub type Progress<'a> = &'a mut dyn FnMut(&'static str, f64) -> bool;
+
+/// Why a solve ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(serde::Serialize, tsify::Tsify), serde(rename_all = "kebab-case"))]
+pub enum Stop {
+    /// The error estimate is below the tolerance.
+    Tolerance,
+    /// The next refinement would need more than `max_unknowns`.
+    MaxUnknowns,
+    /// The panels of an earlier solve were to be kept, and are too coarse for this center.
+    SamePanels,
+    /// Refining no longer helped: rounding, or a region at the limit of double precision.
+    Stagnation,
+}
