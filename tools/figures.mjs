@@ -1,19 +1,15 @@
 // node tools/figures.mjs: the report's figures 3 to 6 on the README's photo, in docs/. The package must be built
 // (npm run build).
 
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
 import init, { JointTriangulation, Region, RiemannMap, Texture } from "conformal-warp";
-import jpeg from "jpeg-js";
-import { main, root, step } from "./steps.mjs";
+import { readJpeg, save, sheet } from "./pictures.mjs";
+import { main, step } from "./steps.mjs";
 
-/** @typedef {{ width: number, height: number, data: Uint8ClampedArray }} Pixels */
+/** @typedef {import("./pictures.mjs").Pixels} Pixels */
 /** @typedef {{ center: [number, number], width: number, pixels: [number, number] }} Frame */
 /** @typedef {{ points: Float64Array, triangles: Uint32Array, outline: Uint32Array }} Copy one copy of a mesh */
 
-const docs = join(root, "docs");
 const SIZE = 512;
-const GAP = 12;
 const INK = [16, 42, 82];
 const LIGHT = [255, 238, 150];
 
@@ -50,7 +46,6 @@ function inPlane([x, y]) {
 
 await main(async () => {
   await init();
-  mkdirSync(docs, { recursive: true });
   const photo = readJpeg("astronaut.jpg");
   const texture = new Texture(photo.data, photo.width, photo.height, { wrap: "transparent" });
   const from = solve(head, nose, headTop);
@@ -63,7 +58,7 @@ await main(async () => {
     const mesh = JointTriangulation.regionToDisk(from, coarse);
     const [source, target] = copies(mesh);
     const region = drawVector(sketch(outlineOnly(source), headFrame), headFrame, nose, headTop);
-    save("figure-3.jpg", sheet([region, dots(source, headFrame), sketch(target, disk), sketch(source, headFrame)]));
+    save("figure-3.jpg", sheet([region, dots(source, headFrame), sketch(target, disk), sketch(source, headFrame)], 2));
     tell(mesh);
   });
   await step("figure 4", () => {
@@ -72,7 +67,7 @@ await main(async () => {
     const [source, target] = copies(mesh);
     const data = exact.warp(texture, { texture: photoFrame, view: disk, quality: "best" });
     const warped = { width: SIZE, height: SIZE, data };
-    save("figure-4.jpg", sheet([photo, overlay(photo, source, photoFrame), warped, overlay(warped, target, disk)]));
+    save("figure-4.jpg", sheet([photo, overlay(photo, source, photoFrame), warped, overlay(warped, target, disk)], 2));
     tell(exact);
   });
   const [fine, exact] = [coarse, { frame: photoFrame }].map((density) =>
@@ -82,14 +77,14 @@ await main(async () => {
     const [source, target] = copies(fine);
     const onDisk = { ...source, points: from.toDisk(source.points) };
     const region = drawVector(sketch(outlineOnly(target), photoFrame), photoFrame, leafCenter, leafTop);
-    save("figure-5.jpg", sheet([region, dots(target, photoFrame), sketch(onDisk, disk), sketch(target, photoFrame)]));
+    save("figure-5.jpg", sheet([region, dots(target, photoFrame), sketch(onDisk, disk), sketch(target, photoFrame)], 2));
     tell(fine);
   });
   await step("figure 6", () => {
     const [source, target] = copies(fine);
     const data = exact.warp(texture, { texture: photoFrame, view: photoFrame, quality: "best" });
     const warped = { width: SIZE, height: SIZE, data };
-    save("figure-6.jpg", sheet([photo, overlay(photo, source, photoFrame), warped, overlay(warped, target, photoFrame)]));
+    save("figure-6.jpg", sheet([photo, overlay(photo, source, photoFrame), warped, overlay(warped, target, photoFrame)], 2));
     tell(exact);
   });
 });
@@ -213,34 +208,4 @@ function drawLine({ width, height, data }, a, b, thickness, color, opacity) {
       data[at + 3] = 255;
     }
   }
-}
-
-/** Four pictures of one size, two by two on white. @param {Pixels[]} pictures @returns {Pixels} */
-function sheet(pictures) {
-  const side = 2 * SIZE + GAP;
-  const data = new Uint8ClampedArray(4 * side * side).fill(255);
-  pictures.forEach((picture, index) => {
-    const [left, top] = [(index % 2) * (SIZE + GAP), Math.floor(index / 2) * (SIZE + GAP)];
-    for (let row = 0; row < SIZE; row++) {
-      for (let column = 0; column < SIZE; column++) {
-        const from = 4 * (row * SIZE + column);
-        const to = 4 * ((top + row) * side + left + column);
-        const alpha = picture.data[from + 3] / 255;
-        for (let c = 0; c < 3; c++) data[to + c] = 255 + alpha * (picture.data[from + c] - 255);
-      }
-    }
-  });
-  return { width: side, height: side, data };
-}
-
-/** @param {string} name @returns {Pixels} */
-function readJpeg(name) {
-  const { width, height, data } = jpeg.decode(readFileSync(join(root, "www", "images", name)), { useTArray: true });
-  return { width, height, data: new Uint8ClampedArray(data) };
-}
-
-/** @param {string} name @param {Pixels} pixels */
-function save(name, { width, height, data }) {
-  const { data: bytes } = jpeg.encode({ width, height, data: Buffer.from(data.buffer) }, 86);
-  writeFileSync(join(docs, name), bytes);
 }

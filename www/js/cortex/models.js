@@ -1,7 +1,7 @@
 // The maps of V1 that the page offers, each with its source: formulas, and outlines that Symm's method maps.
 
 import { RetinoCorticalMap } from "../../pkg/index.js";
-import { deepPoint } from "../region/geometry.js";
+import { deepPoint } from "../editor/geometry.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../../pkg/index.js").CorticalModelOptions} ModelOptions */

@@ -2,7 +2,7 @@
 
 import { toPlane } from "../common/frame.js";
 import { pixelOf } from "../common/svg.js";
-import { Pen } from "../region/draw.js";
+import { Pen } from "../editor/pen.js";
 import { isOutline, MEASURED, models } from "./models.js";
 import { CortexView } from "./views.js";
 

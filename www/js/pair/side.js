@@ -4,16 +4,16 @@ import { flatten, onGrid } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
 import { element } from "../common/page.js";
 import { photos } from "../common/photos.js";
-import { Pen } from "../region/draw.js";
-import { Editor } from "../region/edit.js";
-import { PhotoView } from "../region/photo-view.js";
-import { photoRegion, shapeRegion, shapes } from "../region/presets.js";
-import { towardPoint } from "../region/region.js";
-import { Store } from "../region/store.js";
+import { Pen } from "../editor/pen.js";
+import { Editor } from "../editor/edit.js";
+import { PhotoView } from "../editor/photo-view.js";
+import { photoRegion, shapeRegion, shapes } from "../editor/presets.js";
+import { towardPoint } from "../editor/region.js";
+import { Store } from "../editor/store.js";
 
 /** @typedef {import("../common/images.js").Picture} Picture */
-/** @typedef {import("../region/store.js").Change} Change */
-/** @typedef {import("../region/store.js").Document} Document */
+/** @typedef {import("../editor/store.js").Change} Change */
+/** @typedef {import("../editor/store.js").Document} Document */
 
 export class Side {
   store;
@@ -68,7 +68,7 @@ export class Side {
     return onGrid(this.picture.frame, [width, height]);
   }
 
-  /** @param {import("../region/photo-view.js").Layers} layers */
+  /** @param {import("../editor/photo-view.js").Layers} layers */
   draw(layers) {
     this.view.draw(this.picture, this.store, layers);
     const { doc, mode, canUndo, canRedo } = this.store;

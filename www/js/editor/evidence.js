@@ -1,6 +1,7 @@
 // What was computed and how well, in plain words.
 
-/** @typedef {import("./pipeline.js").Evidence} Evidence */
+/** Of a picture made through a mesh. @typedef {{ errorEstimate: number, unknowns: number, nodes: number, triangles: number, flipped: number, solveMs: number, meshMs: number, warpMs: number }} PairEvidence */
+/** @typedef {PairEvidence & { conformalRadius: number }} DiskEvidence */
 
 /** @param {number} n */
 const whole = (n) => n.toLocaleString("en", { maximumFractionDigits: 0 });
@@ -20,7 +21,7 @@ export function power(x) {
 
 /**
  * The rows of the evidence: name, value, what it means.
- * @param {Evidence} evidence @returns {[string, string, string][]}
+ * @param {DiskEvidence} evidence @returns {[string, string, string][]}
  */
 export function rows(evidence) {
   const { errorEstimate, unknowns, conformalRadius, nodes, triangles, flipped, solveMs, meshMs, warpMs } = evidence;
@@ -36,7 +37,7 @@ export function rows(evidence) {
 
 /**
  * The same of a map from region to region.
- * @param {import("../regions/pipeline.js").Evidence} evidence @returns {[string, string, string][]}
+ * @param {PairEvidence} evidence @returns {[string, string, string][]}
  */
 export function pairRows({ errorEstimate, unknowns, nodes, triangles, flipped, solveMs, meshMs, warpMs }) {
   return [

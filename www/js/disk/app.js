@@ -2,9 +2,9 @@
 
 import { Controls } from "./controls.js";
 import { DiskView } from "./disk-view.js";
-import { Pen } from "./draw.js";
-import { Editor } from "./edit.js";
-import { failureWords, readingWords, rows } from "./evidence.js";
+import { Pen } from "../editor/pen.js";
+import { Editor } from "../editor/edit.js";
+import { failureWords, readingWords, rows } from "../editor/evidence.js";
 import { acceptFiles } from "../common/files.js";
 import { flatten } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
@@ -13,12 +13,12 @@ import { photos } from "../common/photos.js";
 import { Probe } from "../common/probe.js";
 import { Scheduler } from "../common/scheduler.js";
 import { outcomeOf } from "./outcome.js";
-import { PhotoView } from "./photo-view.js";
-import { photoRegion, shapeRegion, shapes } from "./presets.js";
-import { towardPoint } from "./region.js";
-import { Store } from "./store.js";
+import { PhotoView } from "../editor/photo-view.js";
+import { photoRegion, shapeRegion, shapes } from "../editor/presets.js";
+import { towardPoint } from "../editor/region.js";
+import { Store } from "../editor/store.js";
 import { Traveller, upright } from "./travel.js";
-import { decode, encode } from "./url.js";
+import { decode, encode } from "../editor/url.js";
 
 /** @typedef {import("../common/images.js").Picture} Picture */
 /** @typedef {import("./outcome.js").Outcome} Outcome */
@@ -71,14 +71,14 @@ async function start() {
   onChange("commit");
 }
 
-/** Goes to another address. @param {import("./url.js").Address} to */
+/** Goes to another address. @param {import("../editor/url.js").Address} to */
 async function visit(to) {
   const doc = await documentAt(to);
   if (to.shown) store.show(to.shown);
   store.commit(doc);
 }
 
-/** The document of an address; its picture is loaded. @param {import("./url.js").Address} address */
+/** The document of an address; its picture is loaded. @param {import("../editor/url.js").Address} address */
 async function documentAt({ image, shape, region }) {
   const id = image && (image in photos || image === store.doc.image) ? image : store.doc.image;
   picture = await loadPicture(id);
@@ -102,7 +102,7 @@ async function openPicture(loading) {
   }
 }
 
-/** @param {import("./store.js").Change} change */
+/** @param {import("../editor/store.js").Change} change */
 async function onChange(change) {
   if (picture.id !== store.doc.image) picture = await loadPicture(store.doc.image);
   const solving = change === "drag" || change === "commit";

@@ -1,9 +1,9 @@
 // The buttons, menus and keys around the panels.
 
 import { photos } from "../common/photos.js";
-import { shapes } from "./presets.js";
+import { shapes } from "../editor/presets.js";
 
-/** @typedef {import("./store.js").Store} Store */
+/** @typedef {import("../editor/store.js").Store} Store */
 /**
  * @typedef {object} Actions
  * @property {() => void} draw

@@ -1,8 +1,8 @@
 // The two regions that the page opens with: a cat's face, and the head in a space suit that it goes into.
 
-import { regionOn } from "../region/presets.js";
+import { regionOn } from "../editor/presets.js";
 
-/** @typedef {import("../region/store.js").Document} Document */
+/** @typedef {import("../editor/store.js").Document} Document */
 
 /** @type {Document} */
 export const firstFrom = {

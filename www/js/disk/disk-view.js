@@ -1,14 +1,14 @@
 // The right panel: the warped picture on the unit disk, its rim, the images of the corners and of the inward vector.
 
 import { diskFrame, scaleOf, toPixels } from "../common/frame.js";
-import { Layer, drawMesh, drawPolarGrid } from "./overlay.js";
+import { Layer, drawMesh, drawPolarGrid } from "../editor/overlay.js";
 import { RAYS, RINGS } from "./polar.js";
 import { match, set, svg } from "../common/svg.js";
-import { markVector, updateVector } from "./vector.js";
+import { markVector, updateVector } from "../editor/vector.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
-/** @typedef {import("./store.js").Shown} Shown */
+/** @typedef {import("../editor/store.js").Shown} Shown */
 /** @typedef {import("./outcome.js").Outcome} Outcome */
 
 export class DiskView {

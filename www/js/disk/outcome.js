@@ -1,7 +1,7 @@
 // What is drawn from a result: the edges of its triangles, the polar grid, and a way to carry points.
 
-import { Locator } from "./locate.js";
-import { meshEdges } from "./overlay.js";
+import { Locator } from "../editor/locate.js";
+import { meshEdges } from "../editor/overlay.js";
 import { pulledBackGrid } from "./polar.js";
 
 /** @typedef {import("./pipeline.js").Result} Result */

@@ -5,17 +5,17 @@ import { element, mark, say, sayBroken, saveCanvas, showEvidence, showProgress }
 import { photos } from "../common/photos.js";
 import { Probe } from "../common/probe.js";
 import { Scheduler } from "../common/scheduler.js";
-import { failureWords, pairRows, readingWords } from "../region/evidence.js";
-import { Locator } from "../region/locate.js";
-import { meshEdges } from "../region/overlay.js";
-import { photoRegion } from "../region/presets.js";
-import { decode, encodeDocument } from "../region/url.js";
+import { failureWords, pairRows, readingWords } from "../editor/evidence.js";
+import { Locator } from "../editor/locate.js";
+import { meshEdges } from "../editor/overlay.js";
+import { photoRegion } from "../editor/presets.js";
+import { decode, encodeDocument } from "../editor/url.js";
 import { firstFrom, firstTo } from "./first.js";
 import { Side } from "./side.js";
 
 /** @typedef {import("./pipeline.js").Job} Job */
 /** @typedef {import("./pipeline.js").Result} Result */
-/** @typedef {import("../region/store.js").Document} Document */
+/** @typedef {import("../editor/store.js").Document} Document */
 
 /** How dark the first photo is outside its region; the second one is not, so that the two make one picture. */
 const DIM = 0.42;
@@ -53,7 +53,7 @@ function documentAt(prefix, usual) {
   return { image: id, region: region ?? (id === usual.image ? usual.region : photoRegion(id)) };
 }
 
-/** @param {Side} side @param {import("../region/store.js").Change} change */
+/** @param {Side} side @param {import("../editor/store.js").Change} change */
 async function onChange(side, change) {
   active = side;
   await side.follow();

@@ -1,7 +1,7 @@
 // The polar grid of the disk, pulled back to the region through the joint triangulation.
 
 /** @typedef {import("../common/frame.js").Point} Point */
-/** @typedef {import("./locate.js").Locator} Locator */
+/** @typedef {import("../editor/locate.js").Locator} Locator */
 
 export const RINGS = [0.2, 0.4, 0.6, 0.8];
 /** Rays, in parts of a full turn. */

@@ -1,13 +1,13 @@
 // Dragging the disk: its picture follows the pointer by a Möbius map of the disk, that is, by another inward vector.
 
 import { toPlane } from "../common/frame.js";
-import { moveCenter, moveToward } from "./region.js";
+import { moveCenter, moveToward } from "../editor/region.js";
 import { pixelOf } from "../common/svg.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
-/** @typedef {import("./region.js").Region} Region */
-/** @typedef {import("./locate.js").Locator} Locator */
-/** @typedef {import("./store.js").Store} Store */
+/** @typedef {import("../editor/region.js").Region} Region */
+/** @typedef {import("../editor/locate.js").Locator} Locator */
+/** @typedef {import("../editor/store.js").Store} Store */
 /** @typedef {import("./disk-view.js").DiskView} DiskView */
 
 /** How far from 0 the new center may be looked for, and how near to the rim the new boundary point. */

@@ -1,7 +1,7 @@
 // A point carried through a joint triangulation: found in a triangle of one copy, put at the same place in the other.
 
 /** @typedef {import("../common/frame.js").Point} Point */
-/** @typedef {import("./pipeline.js").Mesh} Mesh */
+/** The two copies of a joint triangulation. @typedef {{ source: Float64Array, target: Float64Array, triangles: Uint32Array }} Mesh */
 /** @typedef {import("../common/probe.js").Side} Side */
 
 /** Triangles by the cells of a grid over them. */

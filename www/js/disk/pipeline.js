@@ -1,7 +1,7 @@
 // From a drawn region to a picture of the disk: the page's only way through the package, wherever it runs.
 
 import { JointTriangulation, Texture } from "../../pkg/index.js";
-import { SolvedMap } from "./solved-map.js";
+import { SolvedMap } from "../editor/solved-map.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -16,19 +16,8 @@ import { SolvedMap } from "./solved-map.js";
  * @property {number} maxErrorPixels how far the triangles may be off the map, in pixels of the view
  * @property {Frame} view
  */
-/** @typedef {{ source: Float64Array, target: Float64Array, triangles: Uint32Array }} Mesh */
-/**
- * @typedef {object} Evidence
- * @property {number} errorEstimate
- * @property {number} unknowns
- * @property {number} conformalRadius
- * @property {number} nodes
- * @property {number} triangles
- * @property {number} flipped
- * @property {number} solveMs
- * @property {number} meshMs
- * @property {number} warpMs
- */
+/** @typedef {import("../editor/locate.js").Mesh} Mesh */
+/** @typedef {import("../editor/evidence.js").DiskEvidence} Evidence */
 /**
  * @typedef {object} Result
  * @property {number} version

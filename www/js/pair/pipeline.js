@@ -1,14 +1,14 @@
 // From two drawn regions to the picture of one in the other: both maps, the joint triangulation, the warp.
 
 import { JointTriangulation, Texture } from "../../pkg/index.js";
-import { SolvedMap } from "../region/solved-map.js";
+import { SolvedMap } from "../editor/solved-map.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/serve.js").Progress} Progress */
-/** @typedef {import("../region/pipeline.js").Mesh} Mesh */
-/** @typedef {import("../region/solved-map.js").Outline} Outline */
+/** @typedef {import("../editor/locate.js").Mesh} Mesh */
+/** @typedef {import("../editor/solved-map.js").Outline} Outline */
 /** @typedef {{ version: number, from: Outline, to: Outline, tolerance: number, maxErrorPixels: number, view: Frame }} Job */
-/** @typedef {{ errorEstimate: number, unknowns: number, nodes: number, triangles: number, flipped: number, solveMs: number, meshMs: number, warpMs: number }} Evidence */
+/** @typedef {import("../editor/evidence.js").PairEvidence} Evidence */
 /** @typedef {{ version: number, pixels: Uint8ClampedArray<ArrayBuffer>, view: Frame, mesh: Mesh, evidence: Evidence }} Result */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
 
