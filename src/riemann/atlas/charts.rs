@@ -1,10 +1,10 @@
 //! The maps of one region for several centers, and how they are linked.
 
-use super::frame::Frame;
 use super::link::Link;
-use super::power_series::exp_without_constant;
+use super::position::Position;
+use super::power_series::{MAX_COEFFICIENTS, exp_without_constant};
 use super::walls::Walls;
-use super::zone::Zones;
+use super::zone::{Zone, Zones};
 use crate::plane::Complex64;
 use crate::symm::local_series::LocalSeries;
 use crate::symm::options::SolveOptions;
@@ -22,15 +22,13 @@ pub struct Chart {
 
 impl Chart {
     fn new(solution: &Solution, walls: &Walls) -> Self {
-        let discretisation = solution.discretisation();
-        let boundary = &discretisation.boundary;
-        let mut chart = Self {
+        let boundary = &solution.discretisation().boundary;
+        let measure = |zone: &Zone| measure_on(solution, zone.on_edge(boundary, 0.0));
+        Self {
             series: LocalSeries::new(solution),
-            zones: Zones::new(boundary, walls, solution.center),
+            zones: Zones::new(boundary, walls, solution.center, measure),
             solution: solution.clone(),
-        };
-        chart.zones.measures = chart.zones.list.iter().map(|zone| chart.measure(zone.on_edge(boundary, 0.0))).collect();
-        chart
+        }
     }
 
     /// The point that goes to 0.
@@ -72,8 +70,8 @@ impl Chart {
 
     /// Harmonic measure from vertex 0 to the point of `edge` at the given distances from its ends.
     #[must_use]
-    pub fn measure(&self, (edge, from_start, from_end): (usize, f64, f64)) -> f64 {
-        self.solution.correspondence.measure_on_edge(self.solution.discretisation(), edge, from_start, from_end)
+    pub fn measure(&self, place: (usize, f64, f64)) -> f64 {
+        measure_on(&self.solution, place)
     }
 
     fn bytes(&self) -> usize {
@@ -81,8 +79,20 @@ impl Chart {
     }
 }
 
-/// More coefficients than any cell has.
-pub const MAX_COEFFICIENTS: usize = 32;
+fn measure_on(solution: &Solution, (edge, from_start, from_end): (usize, f64, f64)) -> f64 {
+    solution.correspondence.measure_on_edge(solution.discretisation(), edge, from_start, from_end)
+}
+
+/// Whether other charts serve a part of a disk better.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Taken {
+    /// They do not.
+    Not,
+    /// A part of it.
+    Partly,
+    /// All of it, this one best.
+    Whole(usize),
+}
 
 /// Charts, the first of which belongs to the region's own center.
 #[derive(Clone, Debug)]
@@ -92,7 +102,7 @@ pub struct Atlas {
     /// `links[i][j]`: chart j → chart i.
     links: Vec<Vec<Link>>,
     /// Chart i → chart 0, in polar form.
-    pub frames: Vec<Frame>,
+    pub positions: Vec<Position>,
     /// The boundary, asked for distances.
     pub walls: Walls,
     options: SolveOptions,
@@ -100,7 +110,9 @@ pub struct Atlas {
 
 /// More centers than any region needs that double precision can describe.
 const MAX_CHARTS: usize = 64;
-/// A neighbouring chart serves better where it stretches by this much more.
+/// Disk → region, another chart takes over where it stretches by this much more; well beyond the middle between two centers.
+pub const TAKE_OVER: f64 = 40.0;
+/// Region → disk, a neighbouring chart serves better where it stretches by this much more.
 const BETTER: f64 = 1.2;
 
 impl Atlas {
@@ -109,7 +121,13 @@ impl Atlas {
     pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
         let walls = Walls::new(&solution.discretisation().boundary);
         let charts = vec![Chart::new(solution, &walls)];
-        Self { charts, links: vec![vec![Link::IDENTITY]], frames: vec![Frame::FIRST], walls, options: options.clone() }
+        Self {
+            charts,
+            links: vec![vec![Link::IDENTITY]],
+            positions: vec![Position::FIRST],
+            walls,
+            options: options.clone(),
+        }
     }
 
     /// Chart `from` → chart `to`.
@@ -141,7 +159,7 @@ impl Atlas {
         }
         row.push(Link::IDENTITY);
         self.links.push(row);
-        self.frames.push(self.frames[parent].next(there[0], back[0]));
+        self.positions.push(self.positions[parent].next(there[0], back[0]));
         self.charts.push(chart);
         true
     }
@@ -151,16 +169,35 @@ impl Atlas {
         let mut best = hint;
         self.charts[best].expand(center, radius, coefficients);
         for _ in 1..self.charts.len() {
-            let stretch = |to: usize| self.links[to][best].stretch(coefficients[0]);
-            let others = (0..self.charts.len()).filter(|&to| to != best);
-            let Some(next) = others.max_by(|&i, &j| stretch(i).total_cmp(&stretch(j))) else { break };
-            if stretch(next) < BETTER {
-                break;
-            }
+            let Some(next) = self.better_chart(best, coefficients[0], BETTER) else { break };
             best = next;
             self.charts[best].expand(center, radius, coefficients);
         }
         best
+    }
+
+    /// The chart that stretches most at `w` of `chart`'s disk, if by more than `by`.
+    #[must_use]
+    pub fn better_chart(&self, chart: usize, w: Complex64, by: f64) -> Option<usize> {
+        let stretch = |to: usize| self.links[to][chart].stretch(w);
+        let others = (0..self.charts.len()).filter(|&to| to != chart);
+        others.max_by(|&i, &j| stretch(i).total_cmp(&stretch(j))).filter(|&best| stretch(best) > by)
+    }
+
+    /// Whether others should be asked for what lies within `radius` of `w` in `chart`'s disk.
+    #[must_use]
+    pub fn taken_over(&self, chart: usize, w: Complex64, radius: f64) -> Taken {
+        let center = w / w.norm().max(1.0);
+        let mut best = (TAKE_OVER, Taken::Not);
+        for to in (0..self.charts.len()).filter(|&to| to != chart) {
+            let (least, most) = self.links[to][chart].stretch_within(center, radius);
+            if least > best.0 {
+                best = (least, Taken::Whole(to));
+            } else if most > TAKE_OVER.max(4.0 * least) && best.1 == Taken::Not {
+                best.1 = Taken::Partly;
+            }
+        }
+        best.1
     }
 
     /// Bytes of memory, about.

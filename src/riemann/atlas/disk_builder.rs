@@ -1,19 +1,20 @@
 //! How the disk is cut into cells and arcs for the inverse of one chart's map.
 
-use super::charts::Atlas;
+use super::accuracy::Accuracy;
+use super::cells::Cells;
+use super::charts::{Atlas, Taken};
 use super::inverse_cell::{Inverter, Pair};
+use super::leaf::Leaf;
 use super::patch::Patch;
+use super::patches::Patches;
 use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step};
-use super::region_side::{Cells, Patches, RegionSide};
-use super::{Accuracy, Leaf};
+use super::region_side::RegionSide;
 use crate::plane::Complex64;
 use std::f64::consts::{SQRT_2, TAU};
 use std::rc::Rc;
 
 /// A cell's radius, as a share of the distance to the circle, at which its polynomial is tried.
 const SHARE_OF_CIRCLE: f64 = 0.6;
-/// Another chart takes over where it stretches by this much more; well beyond the middle between two centers.
-const TAKE_OVER: f64 = 40.0;
 /// More squares are not split; what is left is Newton's method on the nearest patch.
 const MAX_SQUARES: usize = 400_000;
 /// Squares whose center is nearer to 0 than this are never left to a patch.
@@ -55,16 +56,6 @@ struct Builder<'a> {
 /// Pairs (w, z) near a square, and the one nearest to it.
 type Known = (Rc<Vec<Pair>>, Pair);
 
-/// Whether other charts serve a square better.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Taken {
-    Not,
-    /// A part of it.
-    Partly,
-    /// All of it, this one best.
-    Whole(usize),
-}
-
 impl Builder<'_> {
     fn decide(&mut self, square: Square, known: &Known) -> Step<Known> {
         let radius = square.half * SQRT_2;
@@ -73,8 +64,8 @@ impl Builder<'_> {
         if distance - radius > 1.0 {
             return Step::Leaf(Leaf::Outside.into());
         }
-        match self.other_chart(square, radius) {
-            Taken::Whole(chart) => return Step::Leaf(Leaf::Other(chart as u32).into()),
+        match self.atlas.taken_over(self.chart, square.center, radius) {
+            Taken::Whole(chart) => return Step::Leaf(Leaf::Chart(chart as u32).into()),
             Taken::Partly if square.level < MAX_LEVEL => return split(square, known),
             _ => {}
         }
@@ -98,21 +89,6 @@ impl Builder<'_> {
             };
         }
         split(square, known)
-    }
-
-    /// Whether another chart should be asked for this square.
-    fn other_chart(&self, square: Square, radius: f64) -> Taken {
-        let center = square.center / square.center.norm().max(1.0);
-        let mut best = (TAKE_OVER, Taken::Not);
-        for to in (0..self.atlas.charts.len()).filter(|&to| to != self.chart) {
-            let (least, most) = self.atlas.link(to, self.chart).stretch_within(center, radius);
-            if least > best.0 {
-                best = (least, Taken::Whole(to));
-            } else if most > TAKE_OVER.max(4.0 * least) && best.1 == Taken::Not {
-                best.1 = Taken::Partly;
-            }
-        }
-        best.1
     }
 
     /// A patch whose zone holds all that the square shows of the region.

@@ -1,12 +1,14 @@
 //! Disk → region, for one chart: a quadtree of Taylor polynomials of the inverse, and of arcs where Newton's method on a
 //! patch's series takes over.
 
+use super::accuracy::Accuracy;
+use super::cells::Cells;
 use super::charts::Atlas;
 use super::disk_builder::build;
+use super::leaf::Leaf;
 use super::patch::Patch;
 use super::quadtree::Quadtree;
-use super::region_side::{Cells, RegionSide};
-use super::{Accuracy, Leaf};
+use super::region_side::RegionSide;
 use crate::plane::Complex64;
 
 /// The inverse of one chart's map, or the chart to ask instead.
@@ -46,8 +48,8 @@ impl DiskSide {
                 let patch = &self.patches[index as usize];
                 Source::Point(patch.zone.point(patch.straightened(w)), Complex64::ZERO)
             }
-            Leaf::Outside => Source::Nowhere,
-            Leaf::Other(chart) => Source::Chart(chart as usize),
+            Leaf::Chart(chart) => Source::Chart(chart as usize),
+            Leaf::Outside | Leaf::Sum(_) => Source::Nowhere,
         }
     }
 

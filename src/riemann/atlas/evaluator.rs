@@ -1,8 +1,10 @@
 //! Either kind of region's map, both ways, in plane units.
 
 use super::super::solved::Solved;
-use super::frame::Frame;
-use super::{BEYOND_CIRCLE, Compass, DiskPoint, Expansions};
+use super::disk_point::DiskPoint;
+use super::expansions::{BEYOND_CIRCLE, Expansions};
+use super::passage::Compass;
+use super::position::Position;
 use crate::plane::{Complex64, Region};
 use crate::symm::options::SolveOptions;
 use crate::symm::smooth::SmoothSolution;
@@ -30,7 +32,7 @@ pub enum Evaluator {
 /// In units of the disk, or of the region's size: nearer to the boundary than this is on it.
 const ON_BOUNDARY: f64 = 4.0 * f64::EPSILON;
 
-static ONE_FRAME: [Frame; 1] = [Frame::FIRST];
+static ONE_POSITION: [Position; 1] = [Position::FIRST];
 
 impl Evaluator {
     /// Builds what the kind of region needs.
@@ -105,15 +107,15 @@ impl Evaluator {
     /// −`toward_measure`.
     #[must_use]
     pub fn compass(&self, toward: Complex64, toward_measure: f64) -> Compass<'_> {
-        let frames = match self {
-            Self::Polygon { expansions, .. } => expansions.frames(),
-            Self::Smooth { .. } => &ONE_FRAME,
+        let positions = match self {
+            Self::Polygon { expansions, .. } => expansions.positions(),
+            Self::Smooth { .. } => &ONE_POSITION,
         };
-        let flat = Frame::FIRST.direction_of(TAU * toward_measure);
+        let flat = Position::FIRST.direction_of(TAU * toward_measure);
         // Its own chart knows best where a far one is.
-        let seen = |point: DiskPoint| frames[point.chart].direction_of(point.w.arg());
+        let seen = |point: DiskPoint| positions[point.chart].direction_of(point.w.arg());
         let known = self.to_disk(toward).filter(|point| point.chart != 0);
-        Compass { frames, toward: known.map_or(flat, seen) }
+        Compass { positions, toward: known.map_or(flat, seen) }
     }
 
     /// Disk → region; `None` outside the closed disk.

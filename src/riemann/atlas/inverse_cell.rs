@@ -1,8 +1,8 @@
 //! Polynomials of the inverse of one chart's map.
 
-use super::Accuracy;
-use super::charts::{Atlas, MAX_COEFFICIENTS};
-use super::power_series::{rescale, revert};
+use super::accuracy::Accuracy;
+use super::charts::Atlas;
+use super::power_series::{MAX_COEFFICIENTS, rescale, revert};
 use super::region_side::RegionSide;
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
@@ -23,6 +23,14 @@ impl InverseCell {
     pub fn coefficients(&self) -> &[Complex64] {
         &self.coefficients[..self.count]
     }
+}
+
+/// Why samples give no polynomial.
+enum Unsampled {
+    /// They are not all of one chart.
+    Foreign,
+    /// One was not found.
+    Lost,
 }
 
 /// Inverts one chart's map around points of its disk.
@@ -65,10 +73,10 @@ impl<'a> Inverter<'a> {
     #[must_use]
     pub fn cell(&self, center: Complex64, radius: f64, seed: Pair) -> Option<InverseCell> {
         let (middle, slope) = self.walk(seed, center)?;
-        let sampled = self.sampled(center, radius, middle, slope)?;
-        let mut cell = match sampled {
-            Some(cell) => cell,
-            None => self.reverted(center, radius, middle)?,
+        let mut cell = match self.sampled(center, radius, middle, slope) {
+            Ok(cell) => cell,
+            Err(Unsampled::Foreign) => self.reverted(center, radius, middle)?,
+            Err(Unsampled::Lost) => return None,
         };
         let tolerance = self.accuracy.tolerance;
         let noise = self.accuracy.solve_error * slope.norm();
@@ -80,16 +88,16 @@ impl<'a> Inverter<'a> {
         Some(cell)
     }
 
-    /// By Fourier's formula from preimages of the circle; `Some(None)` if they are not all of one chart.
+    /// By Fourier's formula from preimages of the circle.
     fn sampled(
         &self,
         center: Complex64,
         radius: f64,
         middle: Complex64,
         slope: Complex64,
-    ) -> Option<Option<InverseCell>> {
-        if self.forward(middle)?.foreign {
-            return Some(None);
+    ) -> Result<InverseCell, Unsampled> {
+        if self.forward(middle).ok_or(Unsampled::Lost)?.foreign {
+            return Err(Unsampled::Foreign);
         }
         let mut z = middle + slope * radius;
         let mut samples = [Complex64::ZERO; SAMPLES];
@@ -98,12 +106,12 @@ impl<'a> Inverter<'a> {
             let (exact, slope, foreign) = match self.newton(w, z) {
                 Some(found) => found,
                 None => {
-                    let (z, slope) = self.walk((center, middle), w)?;
-                    (z, slope, self.forward(z)?.foreign)
+                    let (z, slope) = self.walk((center, middle), w).ok_or(Unsampled::Lost)?;
+                    (z, slope, self.forward(z).ok_or(Unsampled::Lost)?.foreign)
                 }
             };
             if foreign {
-                return Some(None);
+                return Err(Unsampled::Foreign);
             }
             *sample = exact;
             z = exact + slope * direction * (self.turns[1] - 1.0) * radius;
@@ -116,7 +124,7 @@ impl<'a> Inverter<'a> {
             *coefficient = sum / SAMPLES as f64;
         }
         coefficients[0] += middle;
-        Some(Some(InverseCell { center, radius, coefficients, count }))
+        Ok(InverseCell { center, radius, coefficients, count })
     }
 
     /// By reversion of the chart's own power series around a point near the middle of the preimage, which is improved by

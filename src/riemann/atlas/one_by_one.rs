@@ -1,7 +1,7 @@
 //! Disk → region for a few points: each by Newton's method, while a chart's tree is not worth building.
 
-use super::Accuracy;
-use super::charts::Atlas;
+use super::accuracy::Accuracy;
+use super::charts::{Atlas, TAKE_OVER};
 use super::disk_side::Source;
 use super::inverse_cell::{Inverter, Pair};
 use super::region_side::RegionSide;
@@ -9,8 +9,6 @@ use crate::plane::Complex64;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-/// Another chart takes over where it stretches by this much more; well beyond the middle between two centers.
-const TAKE_OVER: f64 = 40.0;
 /// |w|² of points on the circle differs from 1 by no more.
 const ON_CIRCLE: f64 = 8.0 * f64::EPSILON;
 /// Known points are told apart by so many directions,
@@ -56,11 +54,7 @@ impl Seeds {
         accuracy: Accuracy,
         w: Complex64,
     ) -> Option<Source> {
-        let stretch = |to: usize| atlas.link(to, chart).stretch(w);
-        let others = (0..atlas.charts.len()).filter(|&to| to != chart);
-        if let Some(best) = others.max_by(|&i, &j| stretch(i).total_cmp(&stretch(j)))
-            && stretch(best) > TAKE_OVER
-        {
+        if let Some(best) = atlas.better_chart(chart, w, TAKE_OVER) {
             return Some(Source::Chart(best));
         }
         if w.norm_sqr() >= 1.0 - ON_CIRCLE {

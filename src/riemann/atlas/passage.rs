@@ -1,14 +1,14 @@
 //! From the disk of one region to that of another, chart to chart.
 
-use super::DiskPoint;
-use super::frame::{Angle, Frame};
+use super::disk_point::DiskPoint;
 use super::link::Link;
+use super::position::{Angle, Position};
 use crate::plane::Complex64;
 
 /// A region's charts seen from its first, and the direction of its `toward`.
 #[derive(Clone, Debug)]
 pub struct Compass<'a> {
-    pub frames: &'a [Frame],
+    pub positions: &'a [Position],
     pub toward: Angle,
 }
 
@@ -24,11 +24,11 @@ impl Passage {
     #[must_use]
     pub fn new(from: &Compass, to: &Compass) -> Self {
         let turn = to.toward.minus(&from.toward);
-        let way = |frame: &Frame| {
-            let ways = to.frames.iter().map(|other| frame.passage(other, &turn)).enumerate();
+        let way = |position: &Position| {
+            let ways = to.positions.iter().map(|other| position.passage(other, &turn)).enumerate();
             ways.min_by(|(_, p), (_, q)| p.length().total_cmp(&q.length())).unwrap_or((0, Link::IDENTITY))
         };
-        Self { ways: from.frames.iter().map(way).collect() }
+        Self { ways: from.positions.iter().map(way).collect() }
     }
 
     /// The point in the other region's disk, and the derivative on the way.

@@ -1,8 +1,8 @@
 //! The map beside the boundary: one real power series in the variable of a zone.
 
-use super::charts::{Chart, MAX_COEFFICIENTS};
+use super::charts::Chart;
 use super::fit::Fit;
-use super::power_series::{real_value, real_value_and_slope, revert, value};
+use super::power_series::{MAX_COEFFICIENTS, real_value, real_value_and_slope, revert, value};
 use super::zone::{Place, SHARE, Zone};
 use crate::plane::Complex64;
 use crate::symm::panel::Boundary;
@@ -21,8 +21,8 @@ pub struct Patch {
     /// Images of the zone are not farther from iθ than this, in log w.
     farthest: f64,
     coefficients: Vec<f64>,
-    /// First guess of the inverse.
-    inverse: [f64; 6],
+    /// Of τ as a series in −i log w − θ₀.
+    first_guess: [f64; 6],
 }
 
 /// The image of the zone is no farther from its middle than this times what samples on the arc are.
@@ -55,10 +55,17 @@ impl Patch {
             .collect();
         let coefficients = fit.coefficients(&on_diameter, &on_arc);
         let first: [Complex64; 6] = std::array::from_fn(|k| coefficients[k].into());
-        let mut inverse = [Complex64::ZERO; 6];
-        revert(&first, &mut inverse);
+        let mut first_guess = [Complex64::ZERO; 6];
+        revert(&first, &mut first_guess);
         let farthest = fit.arc.iter().map(|&tau| real_value(&coefficients, tau).norm_sqr()).fold(0.0, f64::max).sqrt();
-        Self { chart: index, zone, theta, farthest: SLACK * farthest, coefficients, inverse: inverse.map(|b| b.re) }
+        Self {
+            chart: index,
+            zone,
+            theta,
+            farthest: SLACK * farthest,
+            coefficients,
+            first_guess: first_guess.map(|b| b.re),
+        }
     }
 
     /// z → w; `None` outside the region.
@@ -105,7 +112,7 @@ impl Patch {
             angle.im = 0.0;
         }
         let mut guess = [Complex64::ZERO; 7];
-        guess[1..].iter_mut().zip(self.inverse).for_each(|(g, c)| g.re = c);
+        guess[1..].iter_mut().zip(self.first_guess).for_each(|(g, c)| g.re = c);
         let mut tau = value(&guess, angle);
         if tau.is_nan() || tau.norm_sqr() > 1.0 {
             tau /= tau.norm();

@@ -1,7 +1,9 @@
 //! Truncated power series.
 
-use super::charts::MAX_COEFFICIENTS;
 use crate::plane::Complex64;
+
+/// More coefficients than any cell has.
+pub const MAX_COEFFICIENTS: usize = 32;
 
 /// Σ cₖ tᵏ.
 #[inline]

@@ -161,9 +161,10 @@ pub struct Zones {
 
 impl Zones {
     /// Zones that cover the boundary. In the sector that the region has there, nothing comes nearer than `reach`/SHARE^α
-    /// to a zone's origin: no vertex, no other wall, not the center, where log f is singular.
+    /// to a zone's origin: no vertex, no other wall, not the center, where log f is singular. `measure` tells the measure at
+    /// the middle of a zone.
     #[must_use]
-    pub fn new(boundary: &Boundary, walls: &Walls, center: Complex64) -> Self {
+    pub fn new(boundary: &Boundary, walls: &Walls, center: Complex64, measure: impl Fn(&Zone) -> f64) -> Self {
         let n = boundary.len();
         let corners: Vec<Zone> = (0..n)
             .map(|k| {
@@ -181,7 +182,8 @@ impl Zones {
             fill_edge(boundary, walls, center, edge, begin, end, &mut list);
             starts.push(list.len());
         }
-        Self { list, measures: Vec::new(), starts }
+        let measures = list.iter().map(measure).collect();
+        Self { list, measures, starts }
     }
 
     /// A zone near the boundary point `along` an edge that covers the disk around `center`.

@@ -9,17 +9,17 @@ use crate::plane::Complex64;
 ///
 /// Far away, directions have to be known far better than to 1e-16: at distance d, to e^−d.
 #[derive(Clone, Debug)]
-pub struct Frame {
+pub struct Position {
     distance: f64,
     direction: Angle,
     turn: f64,
 }
 
-impl Frame {
+impl Position {
     /// The first chart's own.
     pub const FIRST: Self = Self { distance: 0.0, direction: Angle::ZERO, turn: 0.0 };
 
-    /// The frame of a chart whose center lies at `there` in this one's disk, this one's at `back` in its.
+    /// The position of a chart whose center lies at `there` in this one's disk, this one's at `back` in its.
     #[must_use]
     pub fn next(&self, there: Complex64, back: Complex64) -> Self {
         // Hyperbolic trigonometry in the triangle of the three centers.
@@ -99,17 +99,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn frames_compose_like_matrices() {
+    fn positions_compose_like_matrices() {
         let (there, back) = (Complex64::from_polar(0.8, 1.1), Complex64::from_polar(0.8, -2.0));
         let (there2, back2) = (Complex64::from_polar(0.7, -0.4), Complex64::from_polar(0.7, 2.7));
-        let first = Frame::FIRST.next(there, back);
+        let first = Position::FIRST.next(there, back);
         let second = first.next(there2, back2);
         // Matrices: chart → first chart.
         let to_first = Link::new(there, back).inverse();
         let from_second = to_first.after(&Link::new(there2, back2).inverse());
         for w in [Complex64::new(0.3, -0.6), Complex64::cis(2.2), Complex64::ZERO] {
-            let by_frames = second.passage(&Frame::FIRST, &Angle::ZERO).apply(w);
-            assert!((by_frames - from_second.apply(w)).norm() < 1e-14, "{w}: {by_frames}");
+            let by_positions = second.passage(&Position::FIRST, &Angle::ZERO).apply(w);
+            assert!((by_positions - from_second.apply(w)).norm() < 1e-14, "{w}: {by_positions}");
             let between = second.passage(&first, &Angle::ZERO).apply(w);
             assert!((between - Link::new(there2, back2).inverse().apply(w)).norm() < 1e-13, "{w}: {between}");
         }
@@ -122,7 +122,7 @@ mod tests {
     #[test]
     fn far_charts_are_told_apart() {
         let link = |k: f64, angle: f64| (Complex64::from_polar(0.9, angle), Complex64::from_polar(0.9, 2.0 + k));
-        let mut far = Frame::FIRST;
+        let mut far = Position::FIRST;
         for k in 0..20 {
             let (there, back) = link(f64::from(k), (-back_of(f64::from(k) - 1.0)).arg() + 0.1);
             far = far.next(there, back);

@@ -1,0 +1,27 @@
+//! Points of the disk that keep their places apart.
+
+use crate::plane::Complex64;
+
+/// A point of the closed disk in the chart where it is told apart best.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiskPoint {
+    /// The chart.
+    pub(super) chart: usize,
+    /// The point of its disk.
+    pub(super) w: Complex64,
+}
+
+impl DiskPoint {
+    /// No point.
+    pub const NOWHERE: Self = Self { chart: 0, w: Complex64::new(f64::NAN, f64::NAN) };
+
+    /// The nearest point of the circle.
+    pub(in super::super) fn onto_circle(self) -> Self {
+        Self { w: self.w / self.w.norm(), ..self }
+    }
+
+    /// A point that is given by a number.
+    pub(in super::super) fn flat(w: Complex64) -> Self {
+        Self { chart: 0, w }
+    }
+}

@@ -1,0 +1,181 @@
+//! The map of a polygon as a function, both ways.
+
+use super::accuracy::Accuracy;
+use super::charts::Atlas;
+use super::disk_point::DiskPoint;
+use super::disk_side::{DiskSide, Source};
+use super::one_by_one::Seeds;
+use super::position::Position;
+use super::region_side::RegionSide;
+use crate::plane::Complex64;
+use crate::symm::options::SolveOptions;
+use crate::symm::solution::Solution;
+use std::fmt;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The maps region ↔ disk of a polygon's solution, with vertex 0 ↦ 1, in scaled units.
+pub struct Expansions {
+    atlas: Atlas,
+    region: RegionSide,
+    /// One a chart, built when it is first asked.
+    disks: Vec<OnceLock<DiskSide>>,
+    /// One a chart, for as long as few points are asked for.
+    seeds: Vec<OnceLock<Seeds>>,
+    asked: AtomicUsize,
+    accuracy: Accuracy,
+}
+
+impl Expansions {
+    /// Builds the way to the disk; the way back is built chart by chart, where it is first asked for.
+    #[must_use]
+    pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
+        let boundary = &solution.discretisation().boundary;
+        let accuracy = Accuracy::of(solution);
+        let mut atlas = Atlas::new(solution, options);
+        let region = RegionSide::new(boundary, &mut atlas, accuracy);
+        let disks = vec![OnceLock::new(); atlas.charts.len()];
+        let seeds = vec![OnceLock::new(); atlas.charts.len()];
+        Self { atlas, region, disks, seeds, asked: AtomicUsize::new(0), accuracy }
+    }
+
+    /// Builds the way back for all charts.
+    pub fn prepare(&self) {
+        for chart in 0..self.disks.len() {
+            self.disk(chart);
+        }
+    }
+
+    #[inline]
+    fn disk(&self, chart: usize) -> &DiskSide {
+        self.disks[chart].get_or_init(|| DiskSide::new(&self.atlas, &self.region, chart, self.accuracy))
+    }
+
+    /// Disk → region by one chart. Few points are inverted one by one; who asks for many gets a tree.
+    #[inline]
+    fn ask(&self, chart: usize, w: Complex64) -> Source {
+        match self.disks[chart].get() {
+            Some(disk) => disk.at(w),
+            None => self.ask_one(chart, w).unwrap_or_else(|| self.disk(chart).at(w)),
+        }
+    }
+
+    #[cold]
+    fn ask_one(&self, chart: usize, w: Complex64) -> Option<Source> {
+        if self.asked.fetch_add(1, Ordering::Relaxed) >= FEW {
+            return None;
+        }
+        let seeds = self.seeds[chart].get_or_init(|| Seeds::new(&self.atlas, &self.region, chart));
+        seeds.at(&self.atlas, &self.region, chart, self.accuracy, w)
+    }
+
+    /// Region → disk; `None` outside the closed region.
+    #[inline]
+    #[must_use]
+    pub fn to_disk(&self, z: Complex64) -> Option<DiskPoint> {
+        self.region.at(&self.atlas, z).map(|(chart, w)| DiskPoint { chart, w })
+    }
+
+    /// Region → disk, with the derivative in the point's chart.
+    #[inline]
+    #[must_use]
+    pub fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
+        self.region.with_slope(&self.atlas, z).map(|(chart, w, slope)| (DiskPoint { chart, w }, slope))
+    }
+
+    /// d(flat point)/d(point in its chart).
+    #[inline]
+    #[must_use]
+    pub fn flat_slope(&self, point: DiskPoint) -> Complex64 {
+        if point.chart == 0 { Complex64::ONE } else { self.atlas.link(0, point.chart).slope(point.w) }
+    }
+
+    /// The point as a number.
+    #[inline]
+    #[must_use]
+    pub fn flat(&self, point: DiskPoint) -> Complex64 {
+        if point.chart == 0 { point.w } else { onto_disk(self.atlas.link(0, point.chart).apply(point.w)) }
+    }
+
+    /// Disk → region; `None` outside the closed disk.
+    #[inline]
+    #[must_use]
+    pub fn to_region(&self, point: DiskPoint) -> Option<Complex64> {
+        self.follow(point, |chart, w| self.ask(chart, w)).map(|(z, _, _)| z)
+    }
+
+    /// Disk → region, with the derivative by the point's number in its chart.
+    #[inline]
+    #[must_use]
+    pub fn to_region_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)> {
+        let (z, slope, chart) = self.follow(point, |chart, w| self.disk(chart).with_slope(w))?;
+        if chart == point.chart {
+            return Some((z, slope));
+        }
+        Some((z, slope * self.atlas.link(chart, point.chart).slope(point.w)))
+    }
+
+    /// The charts seen from the first.
+    #[must_use]
+    pub fn positions(&self) -> &[Position] {
+        &self.atlas.positions
+    }
+
+    /// Asks charts until one knows the point: it, the derivative in the chart that knew, and that chart.
+    #[inline]
+    fn follow(
+        &self,
+        DiskPoint { mut chart, mut w }: DiskPoint,
+        ask: impl Fn(usize, Complex64) -> Source,
+    ) -> Option<(Complex64, Complex64, usize)> {
+        if w.is_nan() || w.norm_sqr() > BEYOND_CIRCLE {
+            return None;
+        }
+        for _ in 0..=self.disks.len() {
+            match ask(chart, w) {
+                Source::Point(z, slope) => return Some((z, slope, chart)),
+                Source::Nowhere => return None,
+                Source::Chart(next) => {
+                    // Rounding may have put it outside, and what is far away from the next center becomes large there.
+                    w = onto_disk(self.atlas.link(next, chart).apply(w));
+                    chart = next;
+                }
+            }
+        }
+        None
+    }
+
+    /// Number of centers that have a chart.
+    #[must_use]
+    pub fn charts(&self) -> usize {
+        self.disks.len()
+    }
+
+    /// Bytes of memory, about.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.atlas.bytes()
+            + self.region.bytes()
+            + self.disks.iter().filter_map(OnceLock::get).map(DiskSide::bytes).sum::<usize>()
+    }
+}
+
+/// So many points cost about as much one by one as through an easy region's tree.
+const FEW: usize = 10_000;
+/// |w|² of points that are on the circle up to rounding.
+pub const BEYOND_CIRCLE: f64 = 1.0 + 8.0 * f64::EPSILON;
+
+/// The point of the closed disk nearest to `w`.
+fn onto_disk(w: Complex64) -> Complex64 {
+    let square = w.norm_sqr();
+    if square > 1.0 { w / square.sqrt() } else { w }
+}
+
+impl fmt::Debug for Expansions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Expansions")
+            .field("charts", &self.charts())
+            .field("bytes", &self.bytes())
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,175 @@
+//! How the region is cut into cells and patches for the map region → disk.
+
+use super::accuracy::Accuracy;
+use super::cells::Cells;
+use super::charts::Atlas;
+use super::leaf::Leaf;
+use super::patches::Patches;
+use super::power_series::{MAX_COEFFICIENTS, rescale};
+use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step};
+use super::walls::Nearest;
+use crate::plane::Complex64;
+use crate::symm::panel::Boundary;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// A cell's polynomial is tried where its radius is at most this share of the distance to the wall,
+const SHARE_OF_WALL: f64 = 0.9;
+/// and this one of the distance to a corner where the map is singular.
+const SHARE_OF_CORNER: f64 = 0.6;
+/// Sources are summed for a disk of at most this share of the distance to the wall: nearer to it they would have to be cut
+/// small. The map's own series goes on beyond.
+const SHARE_OF_SUM: f64 = 0.5;
+/// A chart is trusted where its |f'| × the region's size is at least this.
+const LEAST_SLOPE: f64 = 0.05;
+/// More cells than this are not made; what is left is summed directly.
+const MAX_CELLS: usize = 400_000;
+
+/// The tree, the cells and the patches of the maps region → disk; adds charts where the map of the first is too crowded.
+#[must_use]
+pub fn build(boundary: &Arc<Boundary>, atlas: &mut Atlas, accuracy: Accuracy) -> (Quadtree, Cells, Patches) {
+    let (center, half) = bounds(boundary);
+    let mut tree = Quadtree::new(center, half);
+    let patches = Patches::new(boundary, accuracy);
+    let mut builder = Builder {
+        boundary: Arc::clone(boundary),
+        accuracy,
+        size: 2.0 * half,
+        cells: Cells::default(),
+        patches,
+        crowded: Vec::new(),
+        accept_crowding: false,
+        hint: 0,
+    };
+    let root = (tree.root(), Rc::new(atlas.walls.all()));
+    let mut open = vec![root];
+    loop {
+        for (square, walls) in open.drain(..) {
+            tree.grow(square, walls, &mut |square, walls| builder.decide(atlas, square, &walls));
+        }
+        let score = |c: &Crowded| if c.slope.is_finite() { c.slope * c.clear } else { 0.0 };
+        let Some(next) = builder.crowded.iter().max_by(|a, b| score(a).total_cmp(&score(b))) else { break };
+        if !atlas.add(next.center, next.chart) {
+            builder.accept_crowding = true;
+        }
+        open = builder.crowded.drain(..).map(|c| (c.square, c.walls)).collect();
+    }
+    tree.finish();
+    (tree, builder.cells, builder.patches)
+}
+
+/// The square around the boundary.
+fn bounds(boundary: &Boundary) -> (Complex64, f64) {
+    let start = boundary.vertices[0];
+    let (low, high) = boundary.vertices.iter().fold((start, start), |(low, high), v| {
+        (Complex64::new(low.re.min(v.re), low.im.min(v.im)), Complex64::new(high.re.max(v.re), high.im.max(v.im)))
+    });
+    let size = high - low;
+    // A little wider, so that no wall lies on its edge.
+    (0.5 * (low + high), 0.507 * size.re.max(size.im))
+}
+
+type WallList = Rc<Vec<u32>>;
+
+/// A square whose map no chart knows well yet.
+struct Crowded {
+    square: Square,
+    walls: WallList,
+    center: Complex64,
+    chart: usize,
+    /// |f'| × size there.
+    slope: f64,
+    /// Distance to the wall.
+    clear: f64,
+}
+
+struct Builder {
+    boundary: Arc<Boundary>,
+    accuracy: Accuracy,
+    size: f64,
+    cells: Cells,
+    patches: Patches,
+    crowded: Vec<Crowded>,
+    accept_crowding: bool,
+    /// The chart that served last.
+    hint: usize,
+}
+
+impl Builder {
+    fn decide(&mut self, atlas: &Atlas, square: Square, walls: &WallList) -> Step<WallList> {
+        let radius = square.half * std::f64::consts::SQRT_2;
+        let nearest = atlas.walls.nearest(square.center, walls);
+        if !nearest.inside && nearest.distance > radius {
+            return Step::Leaf(Leaf::Outside.into());
+        }
+        if nearest.inside && radius <= SHARE_OF_WALL * nearest.distance {
+            let corner = atlas.walls.to_singular_vertex(square.center, walls);
+            if radius <= SHARE_OF_CORNER * corner
+                && let Some(step) = self.taylor(atlas, square, walls, nearest.distance)
+            {
+                return step;
+            }
+        } else if let Some(step) = self.patch(atlas, square, walls, nearest) {
+            return step;
+        }
+        if square.level == MAX_LEVEL || self.cells.len() + self.patches.list.len() > MAX_CELLS {
+            return Step::Leaf(Leaf::Sum(self.hint as u32).into());
+        }
+        Step::Split(Rc::new(atlas.walls.within(square.center, walls, nearest.distance + 2.0 * radius)))
+    }
+
+    /// A Taylor polynomial, if it is accurate.
+    fn taylor(&mut self, atlas: &Atlas, square: Square, walls: &WallList, clear: f64) -> Option<Step<WallList>> {
+        let radius = square.half * std::f64::consts::SQRT_2;
+        let mut coefficients = [Complex64::ZERO; MAX_COEFFICIENTS];
+        let coefficients = &mut coefficients[..self.accuracy.cell_terms()];
+        let unit = radius.min(SHARE_OF_SUM * clear);
+        let chart = atlas.expand_best(self.hint, square.center, unit, coefficients);
+        rescale(coefficients, radius / unit);
+        self.hint = chart;
+        let slope = coefficients[1].norm() / radius * self.size;
+        if !self.trusts(slope) {
+            self.crowded.push(Crowded { square, walls: Rc::clone(walls), center: square.center, chart, slope, clear });
+            return Some(Step::Open);
+        }
+        let count = self.accuracy.terms_needed(coefficients, self.accuracy.tolerance * slope.min(1.0))?;
+        let index = self.cells.add(square.center, radius, chart, &coefficients[..count]);
+        Some(Step::Leaf(Leaf::Cell(index).into()))
+    }
+
+    /// A patch, if one covers the square.
+    fn patch(&mut self, atlas: &Atlas, square: Square, walls: &WallList, nearest: Nearest) -> Option<Step<WallList>> {
+        let radius = square.half * std::f64::consts::SQRT_2;
+        let zone_of = |chart: usize| {
+            let zones = &atlas.charts[chart].zones;
+            let zone = zones.covering(&self.boundary, nearest.edge, nearest.along, square.center, radius)?;
+            // A zone may reach across a thin wall, where the region goes on.
+            let own = zones.list[zone].edges(&self.boundary);
+            (!atlas.walls.intrudes(square.center, radius, walls, own)).then_some(zone)
+        };
+        let mut zone = zone_of(self.hint)?;
+        let mut chart = self.hint;
+        if atlas.charts.len() > 1 {
+            let top = atlas.charts[chart].zones.list[zone].point(Complex64::i());
+            let mut coefficients = [Complex64::ZERO; 2];
+            chart = atlas.expand_best(chart, top, 1e-3 * radius, &mut coefficients);
+            self.hint = chart;
+            zone = zone_of(chart)?;
+        }
+        let index = self.patches.get(atlas, chart, zone);
+        let patch = &self.patches.list[index as usize];
+        let slope = patch.typical_slope() * self.size;
+        if !self.trusts(slope) {
+            let center = patch.zone.point(Complex64::i());
+            // Half as eligible as a square in the middle of the region.
+            let clear = 0.5 * patch.zone.reach;
+            self.crowded.push(Crowded { square, walls: Rc::clone(walls), center, chart, slope, clear });
+            return Some(Step::Open);
+        }
+        Some(Step::Leaf(Leaf::Patch(index).into()))
+    }
+
+    fn trusts(&self, slope: f64) -> bool {
+        self.accept_crowding || slope >= LEAST_SLOPE
+    }
+}
