@@ -7,6 +7,7 @@
 use super::clusters::{Cluster, ClusterTree, Interactions};
 use super::discretisation::{Discretisation, Target};
 use super::influence::Influence;
+use super::multipole::{binomials, shift_multipole};
 use super::options::Progress;
 use crate::plane::Complex64;
 use crate::{Error, Result};
@@ -54,7 +55,7 @@ impl FastInfluence {
             unit_multipoles: unit_multipoles(discretisation, &tree, order),
             places: places(discretisation, &tree, targets, targets_per_panel),
             near_entries: Vec::new(),
-            binomials: binomials(order),
+            binomials: signed_binomials(order),
             tree,
             interactions,
         };
@@ -94,7 +95,7 @@ impl FastInfluence {
             if let Some(children) = cluster.children {
                 for child in children {
                     let from = &tail[(child - index - 1) * terms..][..terms];
-                    self.shift_multipole(&self.tree.clusters[child], from, cluster, own);
+                    shift_multipole(&self.tree.clusters[child], from, cluster, own);
                 }
             } else {
                 let unknowns = cluster.panels.start * self.p..cluster.panels.end * self.p;
@@ -105,30 +106,6 @@ impl FastInfluence {
             }
         }
         multipoles
-    }
-
-    /// Adds a child's expansion to its parent's: aₗ += Σₖ C(l−1, k−1) aₖ d^(l−k) − Q dˡ/l, d = child − parent.
-    fn shift_multipole(&self, child: &Cluster, from: &[Complex64], parent: &Cluster, to: &mut [Complex64]) {
-        let shift = (child.center - parent.center) / parent.radius;
-        let shrink = child.radius / parent.radius;
-        to[0] += from[0];
-        // Horner-like: the sum over k of C(l−1, k−1) aₖ d^(l−k), from scaled coefficients.
-        let mut scaled: Vec<Complex64> = Vec::with_capacity(self.order);
-        let mut power = 1.0;
-        for a in &from[1..] {
-            power *= shrink;
-            scaled.push(a * power);
-        }
-        let mut shift_power = Complex64::new(1.0, 0.0);
-        for l in 1..=self.order {
-            shift_power *= shift;
-            to[l] -= from[0] * shift_power / l as f64;
-            let mut sum = Complex64::ZERO;
-            for k in 1..=l {
-                sum = sum * shift + scaled[k - 1] * choose(l - 1, k - 1, &self.binomials, self.order);
-            }
-            to[l] += sum;
-        }
     }
 
     /// Across: adds a far source's field to a target's Taylor series.
@@ -259,21 +236,10 @@ fn places(
 }
 
 /// `[l·order + k]` = (−1)^(k+1) C(l+k, k): row l, source coefficient k + 1.
-fn binomials(order: usize) -> Vec<f64> {
-    let mut table = vec![0.0; (order + 1) * order];
-    for l in 0..=order {
-        let mut value = -1.0;
-        for k in 0..order {
-            table[l * order + k] = value;
-            value *= -((l + k + 1) as f64) / (k + 1) as f64;
-        }
-    }
+fn signed_binomials(order: usize) -> Vec<f64> {
+    let mut table = binomials(order + 1, order);
+    table.chunks_exact_mut(order).for_each(|row| row.iter_mut().step_by(2).for_each(|value| *value = -*value));
     table
-}
-
-/// C(n, k) from that table.
-fn choose(n: usize, k: usize, binomials: &[f64], order: usize) -> f64 {
-    binomials[(n - k) * order + k].abs()
 }
 
 #[cfg(test)]

@@ -76,6 +76,31 @@ impl GaussRule {
 /// More nodes than any rule here needs; sizes stack buffers.
 pub const MAX_NODES: usize = 32;
 
+/// m × m matrices that carry masses on the nodes of the inner half [0, ½], and of the outer half [½, 1], to masses on
+/// the nodes of [0, 1] with the same first m moments.
+#[must_use]
+pub fn restrictions(rule: &GaussRule) -> [Vec<f64>; 2] {
+    let m = rule.len();
+    let mut basis = vec![0.0; m];
+    [-0.5, 0.5].map(|shift| {
+        let mut matrix = vec![0.0; m * m];
+        for from in 0..m {
+            rule.lagrange(shift + 0.5 * rule.nodes[from], &mut basis);
+            for to in 0..m {
+                matrix[to * m + from] = basis[to];
+            }
+        }
+        matrix
+    })
+}
+
+/// m × m: Legendre coefficients (in t on [−1, 1]) of the density that has the given masses at the nodes.
+#[must_use]
+pub fn coefficients_of_masses(rule: &GaussRule) -> Vec<f64> {
+    let m = rule.len();
+    (0..m * m).map(|index| rule.coefficient_row(index / m)[index % m] / rule.weights[index % m]).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -8,7 +8,8 @@ use super::clusters::{Cluster, ClusterTree};
 use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::Discretisation;
 use super::legendre::{GaussRule, MAX_NODES, legendre};
-use super::series_sum::{MAX_TERMS, Piece, Sum, binomials};
+use super::multipole::shift_multipole;
+use super::series_sum::{MAX_TERMS, Piece, Sum, expansion_factors};
 use super::solution::Solution;
 use crate::plane::Complex64;
 
@@ -30,7 +31,7 @@ pub struct LocalSeries {
     terms: usize,
     panels: Vec<PanelSource>,
     gauss: GaussRule,
-    binomials: Vec<f64>,
+    factors: Vec<f64>,
     /// How near, relative to its half length, moments alone may stand for a graded interval.
     far_union: f64,
     /// log of the accuracy wanted.
@@ -75,7 +76,7 @@ impl LocalSeries {
             terms,
             panels: panel_sources(discretisation, &solution.masses, &solution.correspondence),
             gauss: order.piece.clone(),
-            binomials: binomials(),
+            factors: expansion_factors(),
             far_union: 10f64.powf(-digits / order.piece.len() as f64).min(FAR_PIECE),
             log_accuracy: -digits * std::f64::consts::LN_10,
             start: discretisation.boundary.vertices[0],
@@ -108,7 +109,7 @@ impl LocalSeries {
                 let share = cluster.radius / room;
                 let terms = (self.log_accuracy / share.ln()).ceil() as usize + 2;
                 let multipole = &self.multipoles[at * self.terms..][..terms.clamp(2, self.terms)];
-                sum.add_multipole(cluster, multipole, &self.binomials);
+                sum.add_multipole(cluster, multipole, &self.factors);
             } else if leaf {
                 self.add_panel(&self.panels[cluster.panels.start], &mut sum);
             } else {
@@ -230,31 +231,6 @@ impl PanelSource {
             let density: f64 = p.iter().zip(&self.density).map(|(p, c)| p * c).sum();
             *mass = density * tau / (self.exponent * s) * part.half * weight;
         }
-    }
-}
-
-/// Adds a child's expansion to its parent's: aₗ += Σₖ C(l−1, k−1) aₖ d^(l−k) − Q dˡ/l, d = child − parent.
-fn shift_multipole(child: &Cluster, from: &[Complex64], parent: &Cluster, to: &mut [Complex64]) {
-    let shift = (child.center - parent.center) / parent.radius;
-    let shrink = child.radius / parent.radius;
-    to[0] += from[0];
-    let mut work: Vec<Complex64> = Vec::with_capacity(from.len());
-    let mut power = 1.0;
-    for a in &from[1..] {
-        power *= shrink;
-        work.push(a * power);
-    }
-    let mut shift_power = Complex64::ONE;
-    for l in 1..from.len() {
-        shift_power *= shift;
-        // C(l−1, k−1) d^(l−k) by the ratio of neighbours.
-        let mut factor = Complex64::ONE;
-        let mut sum = -from[0] * shift_power / l as f64;
-        for k in (1..=l).rev() {
-            sum += work[k - 1] * factor;
-            factor *= shift * ((k - 1) as f64 / (l - k + 1) as f64);
-        }
-        to[l] += sum;
     }
 }
 

@@ -14,7 +14,7 @@
 //! - [`panel`] cuts the boundary; [`order`] says how finely; [`rule`] integrates the logarithm over a panel,
 //!   from [`panel_blocks`] ([`log_moments`] when near); [`discretisation`] writes the equations;
 //! - [`system`] solves them: by factorisation ([`lu`]) when small, else by iteration ([`gmres`]) with a preconditioner
-//!   ([`two_level`]) and products from stored entries ([`influence`]) or expansions ([`fast_multipole`], [`clusters`]);
+//!   ([`two_level`]) and products from stored entries ([`influence`]) or expansions ([`fast_multipole`], [`multipole`], [`clusters`]);
 //! - [`solve`] refines until the estimate meets the tolerance; [`center`] moves the center of what is solved;
 //! - [`solution`] is the answer: [`correspondence`] on the boundary, [`potential`] inside, [`local_series`] there
 //!   as power series.
@@ -33,6 +33,7 @@ pub mod legendre;
 pub mod local_series;
 pub mod log_moments;
 pub mod lu;
+mod multipole;
 pub mod options;
 pub mod order;
 pub mod panel;

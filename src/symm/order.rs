@@ -1,7 +1,6 @@
 //! How finely a panel is resolved, and from which distance each of its quadratures serves.
 
-use super::legendre::GaussRule;
-use super::panel_blocks::{coefficients_of_masses, restrictions};
+use super::legendre::{GaussRule, coefficients_of_masses, restrictions};
 
 /// Degrees and distances of a discretisation; all follow from the accuracy wanted.
 #[derive(Clone, Debug)]

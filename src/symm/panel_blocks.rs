@@ -123,31 +123,6 @@ fn powers_of_tau(panel: &GaussRule) -> Vec<f64> {
     rows
 }
 
-/// m × m matrices that carry masses on the nodes of the inner half [0, ½], and of the outer half [½, 1], to masses on
-/// the nodes of [0, 1] with the same first m moments.
-#[must_use]
-pub fn restrictions(rule: &GaussRule) -> [Vec<f64>; 2] {
-    let m = rule.len();
-    let mut basis = vec![0.0; m];
-    [-0.5, 0.5].map(|shift| {
-        let mut matrix = vec![0.0; m * m];
-        for from in 0..m {
-            rule.lagrange(shift + 0.5 * rule.nodes[from], &mut basis);
-            for to in 0..m {
-                matrix[to * m + from] = basis[to];
-            }
-        }
-        matrix
-    })
-}
-
-/// m × m: Legendre coefficients (in t on [−1, 1]) of the density that has the given masses at the nodes.
-#[must_use]
-pub fn coefficients_of_masses(rule: &GaussRule) -> Vec<f64> {
-    let m = rule.len();
-    (0..m * m).map(|index| rule.coefficient_row(index / m)[index % m] / rule.weights[index % m]).collect()
-}
-
 /// result (m × p) += left (m × m) · right (m × p).
 fn add_product(left: &[f64], right: &[f64], p: usize, result: &mut [f64]) {
     let m = right.len() / p;

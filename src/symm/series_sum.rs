@@ -3,6 +3,7 @@
 use super::clusters::Cluster;
 use super::fast_log::half_ln;
 use super::legendre::{GaussRule, MAX_NODES};
+use super::multipole::binomials;
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
 
@@ -94,8 +95,8 @@ impl Sum<'_> {
         }
     }
 
-    /// Adds the field of a far cluster. `binomials` are those of [`binomials`].
-    pub fn add_multipole(&mut self, cluster: &Cluster, multipole: &[Complex64], binomials: &[f64]) {
+    /// Adds the field of a far cluster. `factors` are those of [`expansion_factors`].
+    pub fn add_multipole(&mut self, cluster: &Cluster, multipole: &[Complex64], factors: &[f64]) {
         let apart = self.center - cluster.center;
         let inverse = apart.inv();
         let (near, unit) = (inverse * cluster.radius, inverse * self.radius);
@@ -115,11 +116,11 @@ impl Sum<'_> {
         let orders = (self.coefficients.len() - 1).next_multiple_of(LANES);
         let (mut sum_re, mut sum_im) = ([0.0; MAX_COEFFICIENTS], [0.0; MAX_COEFFICIENTS]);
         let (sum_re, sum_im) = (&mut sum_re[..orders], &mut sum_im[..orders]);
-        for (k, row) in binomials.chunks_exact(MAX_COEFFICIENTS).take(multipole.len() - 1).enumerate() {
+        for (k, row) in factors.chunks_exact(MAX_COEFFICIENTS).take(multipole.len() - 1).enumerate() {
             let (re, im) = (re[k], im[k]);
-            for ((sum_re, sum_im), binomial) in sum_re.iter_mut().zip(&mut *sum_im).zip(&row[..orders]) {
-                *sum_re += binomial * re;
-                *sum_im += binomial * im;
+            for ((sum_re, sum_im), factor) in sum_re.iter_mut().zip(&mut *sum_im).zip(&row[..orders]) {
+                *sum_re += factor * re;
+                *sum_im += factor * im;
             }
         }
         let mut power = Complex64::ONE;
@@ -140,16 +141,10 @@ pub const MAX_COEFFICIENTS: usize = 40;
 /// Row k − 1, column l − 1: l·C(k+l−1, l). Around a center at distance D, (z − b)^(−k) has the coefficients
 /// (−1)ˡ C(k+l−1, l)/D^(k+l).
 #[must_use]
-pub fn binomials() -> Vec<f64> {
-    let mut rows = Vec::with_capacity(MAX_TERMS * MAX_COEFFICIENTS);
-    for k in 1..=MAX_TERMS {
-        let mut choose = 1.0;
-        for l in 1..=MAX_COEFFICIENTS {
-            choose *= (k + l - 1) as f64 / l as f64;
-            rows.push(l as f64 * choose);
-        }
-    }
-    rows
+pub fn expansion_factors() -> Vec<f64> {
+    let mut rows = binomials(MAX_TERMS, MAX_COEFFICIENTS + 1);
+    rows.iter_mut().enumerate().for_each(|(index, choose)| *choose *= (index % (MAX_COEFFICIENTS + 1)) as f64);
+    rows.chunks_exact(MAX_COEFFICIENTS + 1).flat_map(|row| &row[1..]).copied().collect()
 }
 
 /// `angle` plus the multiple of 2π that brings it closest to `to`.
