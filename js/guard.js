@@ -1,79 +1,139 @@
-// Words instead of "null pointer passed to rust": calls before init() and uses after free() are told apart and named.
+// The generated classes with a door: arguments are checked, use before init(), after free() and after a crash is told in
+// words, and a crash, which would be a bug of ours or a lack of memory, never lets a broken module answer again.
 
-let ready = false;
+import { checkArguments, checkObject, classes } from "./check.js";
+import { failure } from "./failure.js";
+import { abandon, isCurrent } from "./conformal_warp.js";
+import { state } from "./state.js";
 
-/** Called once the module is loaded. */
-export function setReady() {
-  ready = true;
+/** @typedef {import("./check.js").Parameter} Parameter */
+
+/** @typedef {{ new?: Parameter[], static?: Record<string, Parameter[]>, methods?: Record<string, Parameter[]> }} Signature */
+
+/** @param {string} call */
+function checkReady(call) {
+  if (state.crashed) {
+    const message = `${call} was used after the module had crashed (${state.crashed}): await init.reset(), then make its objects anew.`;
+    throw failure("crashed", message);
+  }
+  if (!state.output) throw failure("not-initialized", `${call} was used before the module was loaded: await init() first.`);
 }
 
 /**
- * @param {string} code
- * @param {string} message
- */
-function failure(code, message) {
-  return Object.assign(new Error(message), { code });
-}
-
-/** @param {string} name what was called */
-function checkReady(name) {
-  if (!ready) throw failure("not-initialized", `${name} was used before the module was loaded: await init() first.`);
-}
-
-/**
- * wasm-bindgen sets an object's pointer to 0 when it is freed.
+ * Calls into the module; what fails there is told in words.
  *
- * @param {any} value
+ * @param {string} call
+ * @param {Function} target
+ * @param {unknown} self
+ * @param {unknown[]} args
+ * @param {Function} [newTarget]
  */
-function checkAlive(value) {
-  if (typeof value !== "object" || value === null || value.__wbg_ptr !== 0) return;
-  const name = value.constructor?.name ?? "object";
-  throw failure("freed", `This ${name} was freed: it cannot be used after free(), nor after the end of its "using" block.`);
+function run(call, target, self, args, newTarget) {
+  try {
+    return newTarget ? Reflect.construct(target, args, newTarget) : Reflect.apply(target, self, args);
+  } catch (error) {
+    throw translate(call, error);
+  }
 }
 
 /**
- * A generated class, or function, whose calls check first that the module is loaded and that nothing is used after free().
+ * @param {string} call
+ * @param {any} error
+ */
+function translate(call, error) {
+  const isTrap =
+    error instanceof WebAssembly.RuntimeError ||
+    (error instanceof RangeError && /call stack/.test(error.message)) ||
+    error?.name === "InternalError";
+  if (isTrap) {
+    state.crashed = `${call}: ${error.message}`;
+    abandon();
+    const message = `The module crashed in ${call}, for want of memory or by a fault of its own: await init.reset(), then make its objects anew.`;
+    return Object.assign(failure("crashed", message), { cause: error });
+  }
+  if (error?.code === undefined && /recursive use of an object|attempted to take ownership/.test(error?.message)) {
+    return failure("in-use", `${call}: an object was used while a call that changes it had not ended: not from its onProgress.`);
+  }
+  return error;
+}
+
+/**
+ * A generated class or function, guarded.
  *
  * @template {Function} T
  * @param {T} generated
  * @param {string} name
+ * @param {Signature | Parameter[]} signature
  * @returns {T}
  */
-export function guard(generated, name) {
-  if (generated.prototype) guardPrototype(generated.prototype);
-  const isClass = typeof (/** @type {any} */ (generated.prototype)?.free) === "function";
-  if (isClass) guardStatics(generated, name);
-  return new Proxy(generated, {
-    construct(target, args, newTarget) {
-      checkReady(`new ${name}()`);
-      args.forEach(checkAlive);
-      return Reflect.construct(/** @type {any} */ (target), args, newTarget);
-    },
-    apply(target, self, args) {
-      // A class called without `new` says so itself.
-      if (!isClass) {
-        checkReady(`${name}()`);
-        args.forEach(checkAlive);
-      }
-      return Reflect.apply(/** @type {any} */ (target), self, args);
-    },
-  });
+export function guard(generated, name, signature) {
+  return Array.isArray(signature) ? guardFunction(generated, name, signature) : guardClass(generated, name, signature);
 }
 
-/** @param {any} prototype */
-function guardPrototype(prototype) {
-  if (prototype.free) freeOnce(prototype);
+/**
+ * @template {Function} T
+ * @param {T} generated
+ * @param {string} name
+ * @param {Parameter[]} parameters
+ * @returns {T}
+ */
+function guardFunction(generated, name, parameters) {
+  const call = `${name}()`;
+  const guarded = (/** @type {unknown[]} */ ...args) => {
+    checkReady(call);
+    return run(call, generated, undefined, checkArguments(call, parameters, args));
+  };
+  return /** @type {any} */ (guarded);
+}
+
+/**
+ * @template {Function} T
+ * @param {T} generated
+ * @param {string} name
+ * @param {Signature} signature
+ * @returns {T}
+ */
+function guardClass(generated, name, signature) {
+  classes.set(name, generated);
+  guardPrototype(generated.prototype, name, signature.methods ?? {});
+  guardStatics(generated, name, signature.static ?? {});
+  const call = `new ${name}()`;
+  const guarded = new Proxy(generated, {
+    construct(target, args, newTarget) {
+      checkReady(call);
+      if (!signature.new) {
+        const makers = Object.keys(signature.static ?? {}).map((maker) => `${name}.${maker}()`);
+        const by = makers.length > 0 ? makers.join(" or ") : "a method of another class";
+        throw failure("no-constructor", `A ${name} is not made by new but by ${by}.`);
+      }
+      return run(call, target, undefined, checkArguments(call, signature.new, args), newTarget);
+    },
+  });
+  Object.defineProperty(generated.prototype, "constructor", { value: guarded, writable: true, configurable: true });
+  // Minifiers rename classes.
+  Object.defineProperty(generated, "name", { value: name, configurable: true });
+  return guarded;
+}
+
+/**
+ * @param {any} prototype
+ * @param {string} name
+ * @param {Record<string, Parameter[]>} methods
+ */
+function guardPrototype(prototype, name, methods) {
+  freeOnce(prototype);
   for (const key of Reflect.ownKeys(prototype)) {
     // What starts with __ is for generated code only.
-    if (key === "constructor" || key === "free" || key === Symbol.dispose || String(key).startsWith("__")) continue;
+    if (typeof key !== "string" || key === "constructor" || key === "free" || key.startsWith("__")) continue;
     const property = /** @type {PropertyDescriptor} */ (Object.getOwnPropertyDescriptor(prototype, key));
+    const call = `${name}.${key}${property.value ? "()" : ""}`;
     for (const part of /** @type {const} */ (["value", "get", "set"])) {
       const original = property[part];
       if (typeof original !== "function") continue;
-      property[part] = function (/** @type {any[]} */ ...args) {
-        checkAlive(this);
-        args.forEach(checkAlive);
-        return original.apply(this, args);
+      property[part] = function (/** @type {unknown[]} */ ...args) {
+        checkReady(call);
+        checkReceiver(name, call, this);
+        return run(call, original, this, part === "value" ? checkArguments(call, methods[key] ?? [], args) : args);
       };
     }
     Object.defineProperty(prototype, key, property);
@@ -81,14 +141,27 @@ function guardPrototype(prototype) {
 }
 
 /**
- * Freeing twice is harmless, as disposing twice must be.
+ * @param {string} name
+ * @param {string} call
+ * @param {any} self
+ */
+function checkReceiver(name, call, self) {
+  checkObject(name, self, () => {
+    throw failure("wrong-receiver", `${call} must be called on a ${name}: as x.${call.slice(name.length + 1)}, not apart from its object.`);
+  });
+}
+
+/**
+ * Freeing twice is harmless, as disposing twice must be; so is freeing what a module that is gone had made.
  *
  * @param {any} prototype
  */
 function freeOnce(prototype) {
   const { free } = prototype;
   prototype.free = function () {
-    if (this.__wbg_ptr !== 0) free.call(this);
+    if (!this?.__wbg_ptr) return;
+    if (isCurrent(this)) run("free()", free, this, []);
+    else this.__wbg_ptr = 0;
   };
   if (Symbol.dispose) prototype[Symbol.dispose] = prototype.free;
 }
@@ -96,15 +169,15 @@ function freeOnce(prototype) {
 /**
  * @param {any} generated
  * @param {string} name
+ * @param {Record<string, Parameter[]>} statics
  */
-function guardStatics(generated, name) {
-  for (const key of Object.getOwnPropertyNames(generated)) {
+function guardStatics(generated, name, statics) {
+  for (const [key, parameters] of Object.entries(statics)) {
     const original = generated[key];
-    if (typeof original !== "function" || key === "prototype" || key.startsWith("__")) continue;
-    generated[key] = function (/** @type {any[]} */ ...args) {
-      checkReady(`${name}.${key}()`);
-      args.forEach(checkAlive);
-      return original.apply(generated, args);
+    const call = `${name}.${key}()`;
+    generated[key] = (/** @type {unknown[]} */ ...args) => {
+      checkReady(call);
+      return run(call, original, generated, checkArguments(call, parameters, args));
     };
   }
 }

@@ -1,4 +1,4 @@
-// npm run build: the npm package's files in pkg/.
+// npm run build: the npm package's files in pkg/; with --package also those that only the published package needs.
 
 import { buildPackage } from "./package.mjs";
 import { setUp } from "./setup.mjs";
@@ -6,5 +6,5 @@ import { main } from "./steps.mjs";
 
 await main(async () => {
   await setUp();
-  await buildPackage();
+  await buildPackage({ complete: process.argv.includes("--package") });
 });

@@ -1,9 +1,9 @@
-// The npm package: cargo → wasm-bindgen → wasm-opt → pkg/, and the same files for the page in www/pkg/.
+// The npm package: cargo → wasm-bindgen → wasm-opt → pkg/, and the main entry's files for the page in www/pkg/.
 
 import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { pathToFileURL } from "node:url";
+import { assemble } from "./assemble.mjs";
 import { Failure, root, run, step } from "./steps.mjs";
 import { wasmBindgen } from "./setup.mjs";
 
@@ -11,71 +11,90 @@ const target = "wasm32-unknown-unknown";
 const built = join(process.env.CARGO_TARGET_DIR ?? join(root, "target"), target, "release");
 const compiled = join(built, "conformal_warp.wasm");
 const pkg = join(root, "pkg");
-const stamp = join(built, "package.stamp");
+const page = join(root, "www", "pkg");
 
-/** Builds `pkg/` and `www/pkg/`. cargo decides about compiling; the rest is skipped while its inputs are the same. */
-export async function buildPackage() {
-  await step("cargo build (release, simd128)", (note) =>
-    run("cargo", ["build", "--release", "--lib", "--target", target], { note }),
+/** The two modules that the package holds: everything, and textures with formulas alone. */
+const modules = {
+  full: { features: [], folder: pkg },
+  formula: { features: ["--no-default-features"], folder: join(pkg, "formula") },
+};
+
+/**
+ * Builds `pkg/` and `www/pkg/`. cargo decides about compiling; the rest is skipped while its inputs are the same.
+ *
+ * @param {{ complete?: boolean }} [options] `complete` adds the second module, which only the published package needs
+ */
+export async function buildPackage({ complete = false } = {}) {
+  await buildModule("full", modules.full);
+  if (complete) await buildModule("formula", modules.formula);
+}
+
+/**
+ * @param {string} name
+ * @param {{ features: string[], folder: string }} module
+ */
+async function buildModule(name, { features, folder }) {
+  await step(`cargo build (${name}, release, simd128)`, (note) =>
+    run("cargo", ["build", "--release", "--lib", "--target", target, ...features], { note }),
   );
+  const stamp = join(built, `${name}.stamp`);
   const inputs = fingerprint();
-  const present = [stamp, join(pkg, "index.js"), join(root, "www", "pkg", "index.js")].every((file) => existsSync(file));
+  const entries = name === "full" ? [folder, page] : [folder];
+  const present = existsSync(stamp) && entries.every((entry) => existsSync(join(entry, "index.js")));
   if (present && readFileSync(stamp, "utf8") === inputs) return;
 
-  rmSync(stamp, { force: true });
-  rmSync(pkg, { recursive: true, force: true });
-  await step("wasm-bindgen", () => run(wasmBindgen, [compiled, "--target", "web", "--out-dir", pkg]));
-  await step("wasm-opt", optimise);
-  await step("package", assemble);
+  // Of pkg/ only what lies in it itself: its folders are other modules.
+  mkdirSync(folder, { recursive: true });
+  for (const file of filesIn(folder)) rmSync(join(folder, file));
+  const generated = join(built, `bindgen-${name}`);
+  await step("wasm-bindgen", () => run(wasmBindgen, [compiled, "--target", "web", "--out-dir", generated]));
+  const module = await optimised(join(generated, "conformal_warp_bg.wasm"), name);
+  await step("package", () => assemble(generated, module, folder));
+  if (name === "full") copyToPage();
   writeFileSync(stamp, inputs);
 }
 
 /** A hash over everything that the package is made from after cargo. */
 function fingerprint() {
   const hash = createHash("sha256");
-  const scripts = readdirSync(join(root, "js")).map((name) => join(root, "js", name));
-  for (const file of [compiled, join(root, "tools", "package.mjs"), join(root, "package-lock.json"), ...scripts]) {
+  const folders = ["js", "tools"].map((name) => join(root, name));
+  const scripts = folders.flatMap((folder) => filesIn(folder).map((name) => join(folder, name)));
+  for (const file of [compiled, join(root, "package-lock.json"), join(root, "src", "error.rs"), ...scripts]) {
     hash.update(readFileSync(file));
   }
   return hash.digest("hex");
 }
 
-/** @param {(text: string) => void} note */
-async function optimise(note) {
-  const module = join(pkg, "conformal_warp_bg.wasm");
-  const before = statSync(module).size;
-  const features = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals"];
-  const enabled = [...features, "reference-types", "multivalue"].map((feature) => `--enable-${feature}`);
-  const tool = join(root, "node_modules", "binaryen", "bin", "wasm-opt");
-  await run(process.execPath, [tool, module, "-O3", ...enabled, "-o", module]);
-  const kilobytes = (/** @type {number} */ bytes) => `${Math.round(bytes / 1024)} kB`;
-  note(`${kilobytes(before)} → ${kilobytes(statSync(module).size)}`);
+/**
+ * The optimised module's path; what was optimised before is kept.
+ *
+ * @param {string} module
+ * @param {string} name
+ */
+async function optimised(module, name) {
+  const result = join(built, `${name}-${createHash("sha256").update(readFileSync(module)).digest("hex").slice(0, 16)}.wasm`);
+  if (existsSync(result)) return result;
+  for (const old of filesIn(built)) if (old.startsWith(`${name}-`)) rmSync(join(built, old));
+  await step(`wasm-opt (${name})`, async (note) => {
+    const before = statSync(module).size;
+    const features = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals"];
+    const enabled = [...features, "reference-types", "multivalue"].map((feature) => `--enable-${feature}`);
+    const tool = join(root, "node_modules", "binaryen", "bin", "wasm-opt");
+    await run(process.execPath, [tool, module, "-O3", ...enabled, "-o", result]);
+    if (!existsSync(result)) throw new Failure("wasm-opt wrote nothing.");
+    const kilobytes = (/** @type {number} */ bytes) => `${Math.round(bytes / 1024)} kB`;
+    note(`${kilobytes(before)} → ${kilobytes(statSync(result).size)}`);
+  });
+  return result;
 }
 
-/** Adds the hand-written entry of js/ and copies the whole to the page. */
-async function assemble() {
-  cpSync(join(root, "js"), pkg, { recursive: true });
-  // wasm-bindgen ignores its folder with a .gitignore, which npm would obey when it packs.
-  rmSync(join(pkg, ".gitignore"), { force: true });
-  writeFileSync(join(pkg, "index.js"), await entry());
-  const page = join(root, "www", "pkg");
+function copyToPage() {
   rmSync(page, { recursive: true, force: true });
   mkdirSync(page, { recursive: true });
-  cpSync(pkg, page, { recursive: true });
+  for (const file of filesIn(pkg)) if (!/^inline|^bytes|\.cjs$|\.cts$/.test(file)) cpSync(join(pkg, file), join(page, file));
 }
 
-/** The package's entry: every class and function that wasm-bindgen made, guarded (see js/guard.js). */
-async function entry() {
-  const generated = await import(pathToFileURL(join(pkg, "conformal_warp.js")).href);
-  const loading = ["default", "initSync", "start"];
-  const names = Object.keys(generated).filter((name) => !loading.includes(name));
-  if (names.length === 0) throw new Failure("wasm-bindgen exported nothing.");
-  return [
-    "// Made by tools/package.mjs from what wasm-bindgen exports.",
-    'import * as generated from "./conformal_warp.js";',
-    'import { guard } from "./guard.js";',
-    'export { default, initSync } from "./init.js";',
-    ...names.map((name) => `export const ${name} = guard(generated.${name}, "${name}");`),
-    "",
-  ].join("\n");
+/** @param {string} folder */
+function filesIn(folder) {
+  return readdirSync(folder, { withFileTypes: true }).filter((entry) => entry.isFile()).map(({ name }) => name);
 }

@@ -140,7 +140,10 @@ impl RetinoCorticalMap {
     ///
     /// Throws "invalid-map" or "invalid-option".
     #[wasm_bindgen(js_name = modelOutline)]
-    pub fn model_outline(options: Ts<CorticalModelOptions>, vertices: usize) -> Result<Vec<f64>, Failure> {
+    pub fn model_outline(
+        options: Ts<CorticalModelOptions>,
+        #[wasm_bindgen(unchecked_param_type = "Count")] vertices: usize,
+    ) -> Result<Vec<f64>, Failure> {
         Ok(points::to_flat(&options::read(&options)?.model()?.outline(vertices)))
     }
 

@@ -11,7 +11,7 @@ const TYPESCRIPT: &str = r#"
 /** What this package throws: a sentence for people, and a stable code for programs. */
 export interface ConformalWarpError extends Error {
     /** The case, for example "self-intersecting", "center-outside", "invalid-option" or "cancelled". */
-    code: string;
+    code: ErrorCode;
     /** Where in the plane it went wrong, if that is known. */
     at?: [x: number, y: number];
     /** "syntax": where in the formula's text. */
@@ -20,6 +20,8 @@ export interface ConformalWarpError extends Error {
     edges?: [number, number];
     /** "invalid-option": the option's path, for example "view.width". */
     option?: string;
+    /** "invalid-argument": the argument's name. */
+    argument?: string;
 }
 "#;
 

@@ -15,10 +15,17 @@ use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+#[wasm_bindgen(typescript_custom_section)]
+const TYPESCRIPT: &str = r"
+/** How densely the regions are sampled: by `spacing`, or by `frame` and `maxErrorPixels`. */
+export type MeshOptions =
+    | (Omit<SamplingOptions, 'spacing' | 'frame' | 'maxErrorPixels'> & { spacing: number; frame?: undefined; maxErrorPixels?: undefined })
+    | (Omit<SamplingOptions, 'spacing' | 'frame'> & { spacing?: undefined; frame: Frame });
+";
+
 /// How densely the regions are sampled: either `spacing`, or `maxErrorPixels` and `frame`.
 #[derive(Debug, Default, Deserialize, Tsify)]
 #[serde(rename_all = "camelCase", default)]
-#[tsify(rename = "MeshOptions")]
 pub struct SamplingOptions {
     /// The paper's rectangular grid over the source, with this distance between samples in plane units.
     #[tsify(optional)]
@@ -70,7 +77,10 @@ impl JointTriangulation {
     ///
     /// Throws "invalid-option", or "crowded" where double precision cannot keep nodes apart.
     #[wasm_bindgen(js_name = regionToDisk)]
-    pub fn region_to_disk(map: &RiemannMap, options: Ts<SamplingOptions>) -> Result<Self, Failure> {
+    pub fn region_to_disk(
+        map: &RiemannMap,
+        #[wasm_bindgen(unchecked_param_type = "MeshOptions")] options: Ts<SamplingOptions>,
+    ) -> Result<Self, Failure> {
         let options = options::read(&options)?.into_mesh_options()?;
         memory::reserve(0);
         Ok(Self(mesh::JointTriangulation::region_to_disk(map.inner(), &options)?))
@@ -80,7 +90,11 @@ impl JointTriangulation {
     ///
     /// Throws "invalid-option", or "crowded" where double precision cannot keep nodes apart.
     #[wasm_bindgen(js_name = regionToRegion)]
-    pub fn region_to_region(from: &RiemannMap, to: &RiemannMap, options: Ts<SamplingOptions>) -> Result<Self, Failure> {
+    pub fn region_to_region(
+        from: &RiemannMap,
+        to: &RiemannMap,
+        #[wasm_bindgen(unchecked_param_type = "MeshOptions")] options: Ts<SamplingOptions>,
+    ) -> Result<Self, Failure> {
         let options = options::read(&options)?.into_mesh_options()?;
         memory::reserve(0);
         Ok(Self(mesh::JointTriangulation::region_to_region(from.inner(), to.inner(), &options)?))

@@ -6,11 +6,13 @@
 //! [`memory`] (room made at once), [`warp`] (the methods `warp` and `paint`), [`prepared`] (the method `prepareWarp`),
 //! [`overlay`] (the method `overlay`).
 
+#[cfg(feature = "regions")]
 pub mod cortex;
 pub mod error;
 pub mod formula;
 pub mod foveated;
 pub mod memory;
+#[cfg(feature = "regions")]
 pub mod mesh;
 pub mod options;
 pub mod overlay;
@@ -18,8 +20,11 @@ pub mod points;
 pub mod prepared;
 pub mod presets;
 pub mod progress;
+#[cfg(feature = "regions")]
 pub mod region;
+#[cfg(feature = "regions")]
 pub mod region_map;
+#[cfg(feature = "regions")]
 pub mod riemann;
 pub mod texture;
 pub mod warp;

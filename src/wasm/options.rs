@@ -7,7 +7,17 @@ use serde::de::value::Error as Introspected;
 use serde::de::{DeserializeOwned, Deserializer, Error as _, Visitor};
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify, serde_wasm_bindgen};
+use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPESCRIPT: &str = r"
+/** A whole number, 0 or more. */
+export type Count = number;
+
+/** A frame, as options hold it. */
+export type FrameOptions = Frame;
+";
 
 /// A point of the plane.
 #[derive(Clone, Copy, Debug, Serialize, Tsify)]
@@ -51,7 +61,7 @@ pub struct FrameOptions {
 
 /// Columns and rows of a picture.
 #[derive(Clone, Copy, Debug, Serialize, Tsify)]
-#[tsify(type = "[columns: number, rows: number]")]
+#[tsify(type = "[columns: Count, rows: Count]")]
 pub struct PixelCounts(#[tsify(type = "number")] [usize; 2]);
 
 impl<'de> Deserialize<'de> for PixelCounts {

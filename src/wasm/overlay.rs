@@ -61,7 +61,7 @@ pub struct OverlayOptions {
     #[tsify(optional, type = "Uint8ClampedArray")]
     pub out: Option<Uint8ClampedArray>,
     /// The band of rows to draw, [first, the one after the last].
-    #[tsify(optional, type = "[first: number, end: number]")]
+    #[tsify(optional, type = "[first: Count, end: Count]")]
     pub rows: Option<[usize; 2]>,
 }
 

@@ -10,6 +10,12 @@ use std::collections::BTreeMap;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+#[wasm_bindgen(typescript_custom_section)]
+const TYPESCRIPT: &str = r"
+/** A frame without pixel counts, as presets hold it. */
+export type PlacementOptions = Placement;
+";
+
 /// A formula and how to look at it: `new FormulaMap(preset.formula, { params: preset.params })`.
 #[derive(Debug, Serialize, Tsify)]
 pub struct Preset {

@@ -9,6 +9,16 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::ImageData;
 
+#[wasm_bindgen(typescript_custom_section)]
+const TYPESCRIPT: &str = r"
+/** A picture's pixels: an `ImageData`, or what has the same parts. */
+export interface Pixels {
+    readonly data: Uint8ClampedArray;
+    readonly width: Count;
+    readonly height: Count;
+}
+";
+
 /// How a texture continues, and in which light it is filtered.
 #[derive(Debug, Default, Deserialize, Tsify)]
 #[serde(default)]
@@ -34,8 +44,8 @@ impl Texture {
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "Uint8Array | Uint8ClampedArray")] rgba: &[u8],
-        width: usize,
-        height: usize,
+        #[wasm_bindgen(unchecked_param_type = "Count")] width: usize,
+        #[wasm_bindgen(unchecked_param_type = "Count")] height: usize,
         options: Option<Ts<TextureOptions>>,
     ) -> Result<Self, Failure> {
         let TextureOptions { wrap, light } = options::read_or_default(options.as_ref())?;
@@ -46,7 +56,10 @@ impl Texture {
     ///
     /// Throws as the constructor does.
     #[wasm_bindgen(js_name = fromImageData)]
-    pub fn from_image_data(image: &ImageData, options: Option<Ts<TextureOptions>>) -> Result<Self, Failure> {
+    pub fn from_image_data(
+        #[wasm_bindgen(unchecked_param_type = "Pixels")] image: &ImageData,
+        options: Option<Ts<TextureOptions>>,
+    ) -> Result<Self, Failure> {
         Self::new(&image.data(), image.width() as usize, image.height() as usize, options)
     }
 

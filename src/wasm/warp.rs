@@ -36,7 +36,7 @@ pub struct DrawOptions {
     pub out: Option<Uint8ClampedArray>,
     /// The band of rows to draw, [first, the one after the last]. Bands drawn apart make the same pixels as the whole.
     #[serde(default)]
-    #[tsify(optional, type = "[first: number, end: number]")]
+    #[tsify(optional, type = "[first: Count, end: Count]")]
     pub rows: Option<[usize; 2]>,
 }
 
@@ -130,10 +130,18 @@ pub fn put(context: &PaintContext, pixels: &[u8], size: [usize; 2], top: usize) 
         .map_err(Failure::thrown)
 }
 
+#[wasm_bindgen(typescript_custom_section)]
+const TYPESCRIPT: &str = r"
+/** The 2D context of a canvas, on the page or off it. */
+export interface PaintContext {
+    putImageData(image: any, x: number, y: number): void;
+}
+";
+
 #[wasm_bindgen]
 extern "C" {
     /// The 2D context of a canvas, on the page or off it.
-    #[wasm_bindgen(typescript_type = "CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D")]
+    #[wasm_bindgen(typescript_type = "PaintContext")]
     #[derive(Debug)]
     pub type PaintContext;
 

@@ -1,0 +1,109 @@
+// A module's folder in the package: what wasm-bindgen generates, the hand-written entries of js/, and types.
+
+import { cpSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { toCommonJs } from "./commonjs.mjs";
+import { adaptGlue } from "./glue.mjs";
+import { Failure, root } from "./steps.mjs";
+import { makeTypes } from "./types.mjs";
+
+/**
+ * @param {string} generated the folder of wasm-bindgen's output
+ * @param {string} module the optimised .wasm
+ * @param {string} folder where the package's files go
+ */
+export async function assemble(generated, module, folder) {
+  const source = (/** @type {string} */ name) => readFileSync(join(root, "js", name), "utf8");
+  const write = (/** @type {string} */ name, /** @type {string} */ text) => writeFileSync(join(folder, name), text);
+  for (const name of readdirSync(join(root, "js"))) if (name.endsWith(".js")) write(name, source(name));
+
+  const declared = readFileSync(join(generated, "conformal_warp.d.ts"), "utf8");
+  const { text, types, calls } = makeTypes(declared, source("entry.d.ts"));
+  if (Object.keys(calls).length === 0) throw new Failure("wasm-bindgen exported nothing.");
+  cpSync(module, join(folder, "conformal_warp_bg.wasm"));
+  write("conformal_warp.js", adaptGlue(readFileSync(join(generated, "conformal_warp.js"), "utf8")));
+  write("signatures.js", signatures(types, calls));
+  write("classes.js", classes(Object.keys(calls)));
+  write("bytes.js", bytes(readFileSync(module)));
+
+  write("index.d.ts", text);
+  write("index.d.cts", text);
+  for (const kind of ["ts", "cts"]) {
+    const from = kind === "ts" ? "./index.js" : "./index.cjs";
+    write(`inline.d.${kind}`, `export * from "${from}";\nexport { default } from "${from}";\n`);
+    write(`wasm.d.${kind}`, `/** The module's address, as bundlers hand it out. */\ndeclare const address: string;\nexport default address;\n`);
+  }
+  write("conformal_warp.d.ts", internalTypes(Object.keys(calls)));
+  await toCommonJs(folder, ["index", "inline"]);
+}
+
+/**
+ * @param {Record<string, unknown>} types
+ * @param {Record<string, unknown>} calls
+ */
+function signatures(types, calls) {
+  const lines = (/** @type {Record<string, unknown>} */ table) =>
+    Object.entries(table).map(([name, entry]) => `  ${name}: ${JSON.stringify(entry)},`);
+  return [
+    "// Made by tools/types.mjs from the package's types: what arguments must be.",
+    '/** @type {Record<string, import("./check.js").Type>} */',
+    "export const types = {",
+    ...lines(types),
+    "};",
+    '/** @type {Record<string, any>} */',
+    "export const calls = {",
+    ...lines(calls),
+    "};",
+    "",
+  ].join("\n");
+}
+
+/** @param {string[]} names */
+function classes(names) {
+  return [
+    "// Made by tools/assemble.mjs: every class and function that wasm-bindgen generates, guarded (see guard.js).",
+    'import * as generated from "./conformal_warp.js";',
+    'import { guard } from "./guard.js";',
+    'import { calls } from "./signatures.js";',
+    ...names.map((name) => `export const ${name} = guard(generated.${name}, "${name}", calls.${name});`),
+    "",
+  ].join("\n");
+}
+
+/** @param {Buffer} wasm */
+function bytes(wasm) {
+  return [
+    "// Made by tools/assemble.mjs: the module in the form of text.",
+    `const BASE64 = "${wasm.toString("base64")}";`,
+    "",
+    "/** @returns {Uint8Array<ArrayBuffer>} */",
+    "export function bytes() {",
+    "  const text = atob(BASE64);",
+    "  const decoded = new Uint8Array(text.length);",
+    "  for (let k = 0; k < text.length; k++) decoded[k] = text.charCodeAt(k);",
+    "  return decoded;",
+    "}",
+    "",
+  ].join("\n");
+}
+
+/**
+ * The generated module as js/ sees it.
+ *
+ * @param {string[]} names
+ */
+function internalTypes(names) {
+  return [
+    "// Made by tools/assemble.mjs: what js/ uses of the generated module.",
+    'import type { InitOutput } from "./index.js";',
+    ...names.map((name) => `export const ${name}: typeof import("./index.js").${name};`),
+    "export function imports(): WebAssembly.Imports;",
+    "/** Makes an instance the one that all calls go to. */",
+    "export function use(instance: WebAssembly.Instance): InitOutput;",
+    "/** Lets the instance go, with all that it made. */",
+    "export function abandon(): void;",
+    "/** Whether the instance in use made this object. */",
+    "export function isCurrent(object: unknown): boolean;",
+    "",
+  ].join("\n");
+}
