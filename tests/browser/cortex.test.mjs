@@ -186,9 +186,10 @@ test("an outline is drawn, read from text and turned by its landmark", async () 
   await page.locator("#outline-scale").fill("10");
   await page.locator("#outline-text").fill("[[0, 0], [8, 4], [8, 0], [0, 4]]");
   await page.locator("#outline-form .primary").click();
-  assert.match(await page.locator("#outline-refusal").innerText(), /crosses or touches itself/);
+  await page.waitForFunction(() => /crosses or touches itself/.test(document.getElementById("outline-refusal")?.textContent ?? ""));
   await page.locator("#outline-text").fill("M0 0 h8 q1 2 0 4 h-8 z");
   await page.locator("#outline-form .primary").click();
+  await page.locator("#outline-dialog").waitFor({ state: "hidden" });
   await settled(page, "ready");
   assert.ok(Math.abs((await area()) - 3333) < 10, `${await area()} mm²`);
   const before = await canvasOf(page, "beside");

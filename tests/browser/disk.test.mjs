@@ -56,7 +56,7 @@ test("an outline that crosses itself is said so in words, in red, and the last p
   // Past the far side: the corner's two edges cross the others.
   await page.mouse.move(across.x + 40, (from.y + across.y) / 2 + 20);
   await settled(page, "invalid");
-  assert.match(await page.locator("#notice").innerText(), /crosses or touches itself: edge \d+ meets edge \d+/);
+  assert.match(await page.locator("#notice").innerText(), /These two red edges cross/);
   assert.equal(await page.locator(".edge.wrong").count(), 2);
   await screenshot(page, "crossing");
   await page.mouse.up();
@@ -127,7 +127,7 @@ test("a centre outside the outline is said so in words, and comes back", async (
   const home = await middle(handle(page, "center"));
   await drag(page, home, await onPhoto(page, 0.95, 0.95));
   await settled(page, "invalid");
-  assert.match(await page.locator("#notice").innerText(), /center .* must lie inside the region/);
+  assert.match(await page.locator("#notice").innerText(), /round end of the vector lies outside the outline/);
   await drag(page, await middle(handle(page, "center")), { x: home.x + 12, y: home.y });
   await settled(page, "ready");
   assert.notEqual((await disk(page)).digest, first.digest);

@@ -118,8 +118,11 @@ test("another photo comes by file, by drop, by name; a file that is none is said
   assert.equal(third.thinnestInside, 255);
 
   await page.locator("#file").setInputFiles({ name: "notes.txt", mimeType: "text/plain", buffer: Buffer.from("no picture") });
-  await settled(page, "invalid");
-  assert.match(await page.locator("#notice").innerText(), /“notes\.txt” could not be read as a picture/);
+  await page.locator("#remark").waitFor();
+  assert.match(await page.locator("#remark").innerText(), /“notes\.txt” could not be read as a picture/);
+  // The disk is as good as it was.
+  assert.equal(await page.evaluate(() => document.body.dataset.state), "ready");
+  assert.equal(await page.locator("#notice").innerText(), "");
   assert.equal((await disk(page)).digest, third.digest);
 
   await page.locator("#choose-photo").selectOption("astronaut");

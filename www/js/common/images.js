@@ -1,6 +1,8 @@
 // Photos: those of the page by name, a visitor's own from a file; decoded once, scaled down where too large.
 
+import { drawnCanvas } from "./canvas.js";
 import { photoFrame } from "./frame.js";
+import { drawLattice } from "./lattice.js";
 import { photos } from "./photos.js";
 
 /**
@@ -15,32 +17,57 @@ import { photos } from "./photos.js";
 
 /** The longest side that is kept: beyond it a screen shows no more. */
 const LONGEST = 2048;
+/** The longest side of a drawing that names no size, or a small one. */
+const DRAWING = 1024;
 
 /** @type {Map<string, Promise<Picture>>} */
 const pictures = new Map();
 
-/** A picture by id, loaded once. @param {string} id @returns {Promise<Picture>} */
+/** Whether there is a picture of that id, loaded or not. @param {string} id */
+export const knowsPicture = (id) => photos.has(id) || pictures.has(id);
+
+/** A picture by id, loaded once; the error says in words what is wrong. @param {string} id @returns {Promise<Picture>} */
 export function loadPicture(id) {
   const known = pictures.get(id);
   if (known) return known;
-  const photo = photos[id];
+  const photo = photos.get(id);
   if (!photo) return Promise.reject(new Error(`There is no picture named “${id}”.`));
-  const loading = fetch(new URL(`../../images/${photo.file}`, import.meta.url))
-    .then((response) => response.blob())
-    .then((blob) => decodePicture(id, photo.title, blob));
+  const loading = fetchPhoto(id, photo);
   loading.catch(() => pictures.delete(id));
   pictures.set(id, loading);
   return loading;
+}
+
+/** @param {string} id @param {import("./photos.js").Photo} photo */
+async function fetchPhoto(id, { title, file }) {
+  const address = new URL(`../../images/${file}`, import.meta.url);
+  const response = await fetch(address).catch(() => {
+    throw new Error(`The photo “${title}” could not be loaded: the connection failed. Choose it again to try once more.`);
+  });
+  if (!response.ok) throw new Error(`The photo “${title}” could not be loaded: the server answered ${response.status}. Choose it again to try once more.`);
+  return decodePicture(id, title, await response.blob());
+}
+
+/**
+ * What stands in for a photo that cannot be loaded: a lattice of its size, so that all else goes on.
+ * @param {string} id @returns {Picture}
+ */
+export function standIn(id) {
+  const { title = "Picture", size = /** @type {[number, number]} */ ([512, 512]) } = photos.get(id) ?? {};
+  return { id, title, ...drawnCanvas(size, (context) => drawLattice(context, size)), frame: photoFrame(...size) };
 }
 
 let ownCount = 0;
 
 /** A visitor's file, under an id of its own. @param {Blob} file @returns {Promise<Picture>} */
 export async function addPicture(file) {
-  const id = `own-${++ownCount}`;
   const name = file instanceof File ? file.name : "Pasted picture";
+  if (/hei[cf]$/i.test(file.type) || /\.hei[cf]$/i.test(name)) {
+    throw new Error(`“${name}” is an HEIC photo, which this browser cannot read. Save it as JPEG or PNG first.`);
+  }
+  const id = `own-${++ownCount}`;
   const picture = await decodePicture(id, name, file).catch(() => {
-    throw new Error(`“${name}” could not be read as a picture. Try a JPEG, PNG or WebP file.`);
+    throw new Error(`“${name}” could not be read as a picture. Try a JPEG, PNG, WebP or SVG file.`);
   });
   pictures.set(id, Promise.resolve(picture));
   return picture;
@@ -48,16 +75,28 @@ export async function addPicture(file) {
 
 /** @param {string} id @param {string} title @param {Blob} blob @returns {Promise<Picture>} */
 async function decodePicture(id, title, blob) {
-  const bitmap = await createImageBitmap(blob, { imageOrientation: "from-image" });
-  const scale = Math.min(1, LONGEST / Math.max(bitmap.width, bitmap.height));
-  const canvas = document.createElement("canvas");
-  canvas.width = Math.max(1, Math.round(bitmap.width * scale));
-  canvas.height = Math.max(1, Math.round(bitmap.height * scale));
-  const context = canvas.getContext("2d", { willReadFrequently: true });
-  if (!context) throw new Error("This browser gives no 2d canvas.");
-  context.imageSmoothingQuality = "high";
-  context.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
-  bitmap.close();
-  const pixels = context.getImageData(0, 0, canvas.width, canvas.height).data;
-  return { id, title, canvas, pixels, frame: photoFrame(canvas.width, canvas.height), ...(scale < 1 && { file: blob }) };
+  const { image, size, close } = await (/svg/.test(blob.type) ? decodeDrawing(blob) : decodePhoto(blob));
+  const scale = Math.min(1, LONGEST / Math.max(...size));
+  const [width, height] = size.map((side) => Math.max(1, Math.round(side * scale)));
+  const drawn = drawnCanvas([width, height], (context) => context.drawImage(image, 0, 0, width, height));
+  close();
+  return { id, title, ...drawn, frame: photoFrame(width, height), ...(scale < 1 && { file: blob }) };
+}
+
+/** @typedef {{ image: CanvasImageSource, size: [number, number], close: () => void }} Decoded */
+
+/** @param {Blob} blob @returns {Promise<Decoded>} */
+async function decodePhoto(blob) {
+  const image = await createImageBitmap(blob, { imageOrientation: "from-image" });
+  return { image, size: [image.width, image.height], close: () => image.close() };
+}
+
+/** An SVG file, as an image: no script in it runs. @param {Blob} blob @returns {Promise<Decoded>} */
+async function decodeDrawing(blob) {
+  const image = new Image();
+  image.src = URL.createObjectURL(blob);
+  await image.decode();
+  const [width, height] = [image.naturalWidth || DRAWING, image.naturalHeight || DRAWING];
+  const scale = Math.max(1, DRAWING / Math.max(width, height));
+  return { image, size: [width * scale, height * scale], close: () => URL.revokeObjectURL(image.src) };
 }

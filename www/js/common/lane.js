@@ -1,8 +1,11 @@
-// A worker as seen from the page: it works on one job at a time, and only the newest waits.
+// A worker as seen from the page: it works on one job at a time, and only the newest waits. One that fails is replaced.
 
 /** @typedef {import("./images.js").Picture} Picture */
 /** @typedef {import("./serve.js").Versioned} Versioned */
 /** @template R @typedef {import("./serve.js").Reply<R>} Reply */
+
+/** A worker that does not start is tried again after these times, in milliseconds, and then with the next job. */
+const RETRIES = [300, 1500, 6000];
 
 /** @template {Versioned} J a job @template {Versioned} R its result */
 export class Lane {
@@ -11,20 +14,24 @@ export class Lane {
   /** The picture that the worker has. @type {Picture | null} */ #handed = null;
   /** @type {J | null} */ #running = null;
   /** @type {J | null} */ #waiting = null;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */ #timer;
+  /** Replaces a worker that goes on for too long. @type {ReturnType<typeof setTimeout> | undefined} */ #timer;
+  /** Starts again a worker that has failed. @type {ReturnType<typeof setTimeout> | undefined} */ #retry;
+  #failures = 0;
+  /** @type {Map<number, (answer: any) => void>} */ #questions = new Map();
+  #asked = 0;
   #script;
   #patience;
-  #onAnswer;
+  #onReply;
 
   /**
    * @param {URL} script of the worker, which calls `serveJobs`
    * @param {number} patience how long a job may go on that nobody waits for any more, in milliseconds; then its worker is replaced
-   * @param {(answer: Reply<R>) => void} onAnswer
+   * @param {(reply: Reply<R>, job: J | null) => void} onReply
    */
-  constructor(script, patience, onAnswer) {
+  constructor(script, patience, onReply) {
     this.#script = script;
     this.#patience = patience;
-    this.#onAnswer = onAnswer;
+    this.#onReply = onReply;
     this.#start();
   }
 
@@ -36,7 +43,8 @@ export class Lane {
   /** Runs the job next; one that was waiting is forgotten. @param {J} job */
   request(job) {
     this.#waiting = job;
-    if (this.#running) this.#hurry();
+    if (!this.#worker && this.#retry === undefined) this.#restart();
+    else if (this.#running) this.#hurry();
     else this.#next();
   }
 
@@ -46,7 +54,22 @@ export class Lane {
     if (this.#running) this.#hurry();
   }
 
+  /** Ends what is under way at once. */
+  stop() {
+    this.#waiting = null;
+    if (this.#running) this.#restart();
+  }
+
+  /** What the worker says about its last result; null where it says nothing. @param {unknown} question @returns {Promise<any>} */
+  ask(question) {
+    if (!this.#worker) return Promise.resolve(null);
+    const id = ++this.#asked;
+    this.#worker.postMessage({ question, id });
+    return new Promise((resolve) => this.#questions.set(id, resolve));
+  }
+
   #hurry() {
+    this.#worker?.postMessage({ hurry: true });
     this.#timer ??= setTimeout(() => this.#restart(), this.#patience);
   }
 
@@ -55,23 +78,38 @@ export class Lane {
     worker.onmessage = ({ data }) => this.#receive(data);
     worker.onerror = (event) => {
       event.preventDefault();
-      this.#receive({ broken: event.message || "its script could not be loaded" });
+      this.#fail(event.message || "its script could not be loaded");
     };
+    worker.onmessageerror = () => this.#fail("its answer could not be read");
     this.#worker = worker;
     this.#handed = null;
   }
 
-  #restart() {
+  #end() {
     this.#worker?.terminate();
+    this.#worker = null;
+    clearTimeout(this.#timer);
+    clearTimeout(this.#retry);
+    this.#timer = this.#retry = undefined;
+    for (const resolve of this.#questions.values()) resolve(null);
+    this.#questions.clear();
+  }
+
+  #restart() {
+    this.#end();
     this.#start();
     this.#next();
   }
 
-  /** There is no WebAssembly here: jobs wait for ever. */
-  #stop() {
-    clearTimeout(this.#timer);
-    this.#worker?.terminate();
-    this.#worker = null;
+  /** The worker is of no use: another one takes the job over, after a while. @param {string} broken why */
+  #fail(broken) {
+    this.#waiting ??= this.#running;
+    this.#running = null;
+    this.#end();
+    const pause = RETRIES[this.#failures++];
+    if (pause !== undefined) this.#retry = setTimeout(() => this.#restart(), pause);
+    else this.#failures = RETRIES.length;
+    this.#onReply({ broken }, null);
   }
 
   #next() {
@@ -90,9 +128,16 @@ export class Lane {
 
   /** @param {Reply<R>} reply */
   #receive(reply) {
-    this.#onAnswer(reply);
-    if ("broken" in reply) this.#stop();
-    else if ("failure" in reply && reply.failure.code === "crashed") this.#restart();
-    else if (!("progress" in reply)) this.#next();
+    if ("broken" in reply) return this.#fail(reply.broken);
+    if ("answer" in reply) {
+      this.#questions.get(reply.id)?.(reply.answer);
+      this.#questions.delete(reply.id);
+      return;
+    }
+    if (!("failure" in reply && reply.failure.code === "superseded")) this.#onReply(reply, this.#running);
+    if ("progress" in reply || "partial" in reply) return;
+    if ("result" in reply) this.#failures = 0;
+    if ("failure" in reply && reply.failure.code === "crashed") this.#restart();
+    else this.#next();
   }
 }

@@ -1,32 +1,76 @@
 // What every page does with its elements.
 
+import { loadPicture, standIn } from "./images.js";
+
 /** @typedef {import("./scheduler.js").State} State */
 
 /** @template {HTMLElement | SVGSVGElement} E @param {string} id @returns {E} */
 export const element = (id) => /** @type {E} */ (/** @type {unknown} */ (document.getElementById(id)));
 
-/** The state of the page, for its style and its tests. @param {State} state */
-export function mark(state) {
-  document.body.dataset.state = state;
+/** How a page shows what it is at: its state for style and tests, words over the picture that is kept, progress. */
+export const statusOfPage = {
+  /** @param {State} state @param {string} [words] none: those that are shown still hold */
+  onState(state, words) {
+    document.body.dataset.state = state;
+    if (words !== undefined && element("notice").textContent !== words) element("notice").textContent = words;
+  },
+
+  /** @param {number | "begun" | null} progress the share that is done; null when nothing is under way */
+  onProgress(progress) {
+    const bar = /** @type {HTMLProgressElement} */ (element("progress"));
+    /** @type {HTMLElement} */ (element("busy")).hidden = progress === null;
+    if (typeof progress === "number" && progress < 1) bar.value = progress;
+    else bar.removeAttribute("value");
+  },
+};
+
+/** @param {boolean} on @param {string} id of a button that can be on */
+export const press = (id, on) => element(id).setAttribute("aria-pressed", String(on));
+
+/** Says what went wrong beside the picture, which stays as good as it was; "" for nothing. @param {string} words */
+export function remark(words) {
+  const place = /** @type {HTMLElement} */ (element("remark"));
+  place.hidden = words === "";
+  const text = place.querySelector("p");
+  if (text) text.textContent = words;
 }
 
-/** A message over the picture that is kept, and the state that goes with it. @param {string} words @param {State} state */
-export function say(words, state) {
-  mark(state);
-  element("notice").textContent = words;
+/** @param {unknown} error */
+export const wordsOf = (error) => (error instanceof Error ? error.message : String(error));
+
+/**
+ * Waits for what a visitor asked for. Where that fails the page stays as it was, and says why.
+ * @template T @param {Promise<T>} work @param {(value: T) => void} use
+ */
+export async function attempt(work, use) {
+  try {
+    const value = await work;
+    remark("");
+    use(value);
+  } catch (error) {
+    remark(wordsOf(error));
+  }
 }
 
-/** @param {number | "begun" | null} progress the share that is done; null when nothing is under way */
-export function showProgress(progress) {
-  const bar = /** @type {HTMLProgressElement} */ (element("progress"));
-  bar.hidden = progress === null;
-  if (typeof progress === "number" && progress < 1) bar.value = progress;
-  else bar.removeAttribute("value");
+/** A picture by id; where it cannot be had the page says so, and something stands in for it. @param {string} id */
+export async function pictureFor(id) {
+  return loadPicture(id).catch((error) => {
+    remark(wordsOf(error));
+    return standIn(id);
+  });
 }
 
-/** @param {string} message why WebAssembly did not start */
-export function sayBroken(message) {
-  say(`The page’s WebAssembly module could not be started: ${message}`, "failed");
+/** Puts the place for remarks on the page, and makes sure that no error is silent. */
+export function watchErrors() {
+  const place = Object.assign(document.createElement("div"), { id: "remark", className: "remark", hidden: true });
+  place.setAttribute("role", "alert");
+  const dismiss = Object.assign(document.createElement("button"), { type: "button", textContent: "Dismiss", onclick: () => remark("") });
+  place.append(document.createElement("p"), dismiss);
+  document.body.append(place);
+  /** @param {unknown} reason */
+  const tell = (reason) => remark(`Something on this page went wrong: ${wordsOf(reason)}. What you see is kept; reload the page if it does not answer.`);
+  window.addEventListener("error", ({ error, message }) => tell(error ?? message));
+  window.addEventListener("unhandledrejection", ({ reason }) => tell(reason));
 }
 
 /** The rows of the evidence. @param {[name: string, value: string, meaning: string][]} rows */
@@ -45,7 +89,7 @@ export function showEvidence(rows) {
 /** Saves a canvas's picture as a file. @param {HTMLCanvasElement} canvas @param {string} name */
 export function saveCanvas(canvas, name) {
   canvas.toBlob((blob) => {
-    if (!blob) return;
+    if (!blob) return remark("The picture could not be saved: it is too large for this browser.");
     const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);

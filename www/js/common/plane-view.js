@@ -1,6 +1,8 @@
 // A panel that looks at a part of the plane: dragged to move, wheel or two fingers to zoom.
 
-import { scaleOf, toPixels, toPlane } from "./frame.js";
+import { deviceGrid, paint } from "./canvas.js";
+import { onGrid, scaleOf, toPixels, toPlane } from "./frame.js";
+import { onEscape } from "./keys.js";
 import { pixelOf, set, svg } from "./svg.js";
 
 /** @typedef {import("./frame.js").Frame} Frame */
@@ -21,6 +23,7 @@ export class PlaneView {
   #axes = svg("path", { class: "axes" });
   #ticks = svg("g", { class: "ticks" });
   /** @type {Map<number, Point>} */ #fingers = new Map();
+  /** Where it looked when it was taken hold of. @type {Placement} */ #before = this.frame;
 
   /**
    * @param {HTMLCanvasElement} canvas @param {SVGSVGElement} root
@@ -50,16 +53,12 @@ export class PlaneView {
 
   /** The frame to render in. @param {number} sharpness 1 for the screen's own pixels @returns {Frame} */
   view(sharpness) {
-    const side = Math.round(this.frame.pixels[0] * (window.devicePixelRatio || 1) * sharpness);
-    const count = Math.min(1600, Math.max(32, side));
-    return { ...this.frame, pixels: [count, count] };
+    return onGrid(this.frame, deviceGrid(this.frame.pixels, sharpness));
   }
 
   /** Shows pixels rendered for a view, which may have moved since. @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {Frame} view */
-  paint(pixels, { pixels: [width, height] }) {
-    this.#canvas.width = width;
-    this.#canvas.height = height;
-    this.#canvas.getContext("2d")?.putImageData(new ImageData(pixels, width, height), 0, 0);
+  paint(pixels, view) {
+    paint(this.#canvas, pixels, view.pixels);
   }
 
   /** The two axes, and the points ±1, ±i. */
@@ -91,6 +90,7 @@ export class PlaneView {
     root.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
       root.setPointerCapture(event.pointerId);
+      if (!this.#fingers.size) this.#before = { center: this.frame.center, width: this.frame.width };
       this.#fingers.set(event.pointerId, pixelOf(root, event));
       root.classList.add("held");
     });
@@ -110,6 +110,13 @@ export class PlaneView {
         if (!this.#fingers.size) root.classList.remove("held");
       });
     }
+    onEscape(() => {
+      if (!this.#fingers.size) return false;
+      this.#fingers.clear();
+      root.classList.remove("held");
+      onMove(this.#before);
+      return true;
+    });
   }
 
   /** The place in which the point seen at `from` is seen at `to`. @param {Point} from @param {Point} to @returns {Placement} */

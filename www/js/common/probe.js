@@ -6,7 +6,11 @@ import { pathData, pixelOf, set, svg } from "./svg.js";
 /** @typedef {import("./frame.js").Frame} Frame */
 /** @typedef {import("./frame.js").Point} Point */
 /** @typedef {"source" | "target"} Side */
-/** A map as far as it is known both ways: a point of one side → the other side. @typedef {{ carry(from: Side, point: Point): Point | null }} Carrier */
+/**
+ * A map as far as it is known both ways: points of one side → the other side, null where it has none; at once, or after
+ * a worker was asked.
+ * @typedef {{ carry(from: Side, points: Point[]): (Point | null)[] | Promise<(Point | null)[] | null> }} Carrier
+ */
 /** @typedef {{ root: SVGSVGElement, frame: Frame }} View */
 /** What the map does near the pointer: pixels per pixel, and degrees counter-clockwise. @typedef {{ stretch: number, turn: number }} Reading */
 
@@ -14,12 +18,16 @@ import { pathData, pixelOf, set, svg } from "./svg.js";
 const RADIUS = 15;
 /** Images of neighbours that are farther apart than this lie on two sides of a branch cut. */
 const TEAR = 80;
+/** The step of the difference quotient, in pixels. */
+const STEP = 2;
 
 export class Probe {
   /** @type {Record<Side, View>} */ #views;
   /** @type {Record<Side, SVGPathElement>} */ #marks;
   #carrier;
   #onReading;
+  /** Counts the places: an answer to an older one is late. */
+  #place = 0;
 
   /**
    * @param {View} source @param {View} target @param {() => Carrier | null} carrier
@@ -34,44 +42,49 @@ export class Probe {
       const { root } = this.#views[side];
       this.#marks[side].classList.add("probe");
       root.append(this.#marks[side]);
-      root.addEventListener("pointermove", (event) => this.#show(side, pixelOf(root, event)));
+      root.addEventListener("pointermove", (event) => this.#look(side, pixelOf(root, event)));
       root.addEventListener("pointerleave", () => this.hide());
     }
   }
 
   hide() {
+    this.#place++;
     for (const mark of Object.values(this.#marks)) set(mark, { d: "" });
     this.#onReading(null);
   }
 
   /** @param {Side} side @param {Point} pixel */
-  #show(side, pixel) {
-    const carrier = this.#carrier();
+  async #look(side, pixel) {
+    const place = ++this.#place;
     const other = side === "source" ? "target" : "source";
     const [here, there] = [this.#views[side].frame, this.#views[other].frame];
-    /** @param {Point} p */
-    const carry = (p) => {
-      const image = carrier?.carry(side, toPlane(here, p));
-      return image ? toPixels(there, image) : null;
-    };
-    const middle = carry(pixel);
-    if (!middle) return this.hide();
     const lines = probeLines(pixel);
+    const points = [pixel, /** @type {Point} */ ([pixel[0] + STEP, pixel[1]]), ...lines.flat()].map((p) => toPlane(here, p));
+    const carried = this.#carrier()?.carry(side, points);
+    const images = carried instanceof Promise ? await carried : carried;
+    if (place !== this.#place) return;
+    const [middle, right, ...rest] = (images ?? []).map((p) => p && toPixels(there, p));
+    if (!middle) return this.hide();
     set(this.#marks[side], { d: lines.map((line) => pathData(line, false)).join("") });
-    const images = lines.flatMap((line) => runs(line.map(carry)));
-    set(this.#marks[other], { d: images.map((line) => pathData(line, false)).join("") });
-    this.#onReading(this.#reading(side, pixel, middle, carry));
+    const parts = lines.flatMap((line) => runs(rest.splice(0, line.length)));
+    set(this.#marks[other], { d: parts.map((line) => pathData(line, false)).join("") });
+    this.#onReading(right ? reading(side, middle, right) : null);
   }
+}
 
-  /** @param {Side} side @param {Point} pixel @param {Point} middle @param {(p: Point) => Point | null} carry */
-  #reading(side, [x, y], [u, v], carry) {
-    const right = carry([x + 2, y]);
-    if (!right) return null;
-    const [du, dv] = [(right[0] - u) / 2, (right[1] - v) / 2];
-    const stretch = Math.hypot(du, dv);
-    const turn = (Math.atan2(-dv, du) * 180) / Math.PI;
-    return side === "source" ? { stretch, turn } : { stretch: 1 / stretch, turn: -turn };
-  }
+/** @param {Side} side @param {Point} middle @param {Point} right the image of what is `STEP` pixels to the right @returns {Reading} */
+function reading(side, [u, v], [u1, v1]) {
+  const [du, dv] = [(u1 - u) / STEP, (v1 - v) / STEP];
+  const stretch = Math.hypot(du, dv);
+  const turn = (Math.atan2(-dv, du) * 180) / Math.PI;
+  return side === "source" ? { stretch, turn } : { stretch: 1 / stretch, turn: -turn };
+}
+
+/** What the map does under the pointer. @param {Reading} reading @param {string} what is warped */
+export function readingWords({ stretch, turn }, what) {
+  const size = stretch >= 1 ? `enlarged ${stretch.toFixed(1)} times` : `shrunk ${(1 / stretch).toFixed(1)} times`;
+  const angle = Math.round(Math.abs(turn));
+  return `Here the ${what} is ${size} and turned ${angle}°${angle ? (turn > 0 ? " to the left" : " to the right") : ""}.`;
 }
 
 /** The circle and its two hairs. @param {Point} middle @returns {Point[][]} */

@@ -1,4 +1,4 @@
-// The worker's end of a lane: pictures and jobs come in; results, progress and errors go out.
+// The worker's end of a lane: pictures, jobs and questions come in; results, progress and errors go out.
 
 import init from "../../pkg/index.js";
 
@@ -7,37 +7,79 @@ import init from "../../pkg/index.js";
 /** `file` holds the picture larger than `pixels`. @typedef {{ pixels: Uint8ClampedArray, frame: Frame, file?: Blob }} PictureMessage */
 /** @typedef {Versioned & { code: string, message: string, position?: number }} Failure */
 /** @typedef {(stage: string, fraction: number) => void} Progress */
+/** @typedef {{ picture: PictureMessage } | { job: any } | { question: any, id: number } | { hurry: true }} Message */
 /**
  * @template R
- * @typedef {{ result: R } | { failure: Failure } | { progress: Versioned & { fraction: number } } | { broken: string }} Reply
- * `broken`: WebAssembly did not start
+ * @typedef {{ result: R } | { partial: R } | { failure: Failure } | { progress: Versioned & { fraction: number } } | { answer: any, id: number } | { broken: string }} Reply
+ * `partial`: a better one will follow; `broken`: WebAssembly did not start
  */
 /** @template R @typedef {{ result: R, transfer: ArrayBufferLike[] }} Done */
 /**
- * What does the work: `run` gives a result, and the buffers in it that may be handed over instead of copied.
+ * How a pipeline speaks while it works.
+ * @template R
+ * @typedef {object} Talk
+ * @property {Progress} progress
+ * @property {(done: Done<R>) => void} show a result before the last one
+ * @property {() => Promise<void>} pause lets messages in; throws when the page has moved on
+ */
+/**
+ * What does the work: `run` gives a result, and the buffers in it that may be handed over instead of copied; `answer` says
+ * what the page asks about the last one.
  * @template {Versioned} J @template {Versioned} R
  * @typedef {object} Pipeline
  * @property {(pixels: Uint8ClampedArray, frame: Frame, file?: Blob) => void} setPicture
- * @property {(job: J, onProgress: Progress) => Done<R> | Promise<Done<R>>} run
+ * @property {(job: J, talk: Talk<R>) => Done<R> | Promise<Done<R>>} run
+ * @property {(question: any) => any} [answer]
  */
+
+/** A job that nobody waits for any more. */
+const SUPERSEDED = Object.assign(new Error("The page has moved on."), { code: "superseded" });
 
 /** Answers this worker's messages by a pipeline. @template {Versioned} J @template {Versioned} R @param {Pipeline<J, R>} pipeline */
 export function serveJobs(pipeline) {
   /** @param {Reply<R>} reply @param {ArrayBufferLike[]} [transfer] */
   const post = (reply, transfer = []) => self.postMessage(reply, { transfer: /** @type {Transferable[]} */ (transfer) });
-  const ready = init().catch((error) => post({ broken: String(error?.message ?? error) }));
+  const ready = init().then(
+    () => true,
+    (error) => post({ broken: String(error?.message ?? error) }),
+  );
+  let hurried = false;
 
-  self.onmessage = async (/** @type {MessageEvent<{ picture: PictureMessage } | { job: J }>} */ { data }) => {
-    await ready;
-    if ("picture" in data) return pipeline.setPicture(data.picture.pixels, data.picture.frame, data.picture.file);
-    const { version } = data.job;
+  /** @param {J} job */
+  const run = async (job) => {
+    const { version } = job;
+    hurried = false;
     try {
-      const { result, transfer } = await pipeline.run(data.job, (_, fraction) => post({ progress: { version, fraction } }));
+      const { result, transfer } = await pipeline.run(job, {
+        progress: (_, fraction) => post({ progress: { version, fraction } }),
+        show: (done) => post({ partial: done.result }, done.transfer),
+        pause: async () => {
+          await new Promise((resolve) => setTimeout(resolve));
+          if (hurried) throw SUPERSEDED;
+        },
+      });
       post({ result }, transfer);
     } catch (error) {
       post({ failure: describe(version, error) });
     }
   };
+
+  self.onmessage = async (/** @type {MessageEvent<Message>} */ { data }) => {
+    if (!(await ready)) return;
+    if ("hurry" in data) hurried = true;
+    else if ("picture" in data) pipeline.setPicture(data.picture.pixels, data.picture.frame, data.picture.file);
+    else if ("question" in data) post({ answer: attempt(() => pipeline.answer?.(data.question)), id: data.id });
+    else await run(data.job);
+  };
+}
+
+/** What a question is worth: an answer, or none. @template T @param {() => T} work @returns {T | null} */
+function attempt(work) {
+  try {
+    return work();
+  } catch {
+    return null;
+  }
 }
 
 /** @param {number} version @param {unknown} error @returns {Failure} */

@@ -1,22 +1,25 @@
 // The page of the visual cortex: a photo that is looked at, and what both hemispheres receive of it by two maps.
 
-import init from "../../pkg/index.js";
+import { wrongWords } from "../common/address.js";
 import { acceptFiles } from "../common/files.js";
 import { toPlane } from "../common/frame.js";
+import { History } from "../common/history.js";
 import { addPicture, loadPicture } from "../common/images.js";
-import { Lane } from "../common/lane.js";
-import { element, mark, say, sayBroken, saveCanvas } from "../common/page.js";
-import { photos } from "../common/photos.js";
+import { onEscape, onUndoKeys } from "../common/keys.js";
+import { attempt, element, pictureFor, press, remark, saveCanvas, statusOfPage, watchErrors } from "../common/page.js";
+import { PhotoChoice } from "../common/photo-choice.js";
 import { Probe } from "../common/probe.js";
+import { Scheduler } from "../common/scheduler.js";
 import { pixelOf } from "../common/svg.js";
-import { Camera, CAMERA } from "./camera.js";
-import { Eye } from "./eye.js";
-import { isOutline, MEASURED, models, ownOutline, specOf } from "./models.js";
+import { Camera } from "./camera.js";
+import { aspectOf, NO_HALF } from "./layout.js";
+import { isOutline, MEASURED, models, ownOutline } from "./models.js";
 import { CortexPanel } from "./panel.js";
-import { eccentricities, hortonHoyt, plotMagnification } from "./plot.js";
+import { hortonHoyt, plotMagnification } from "./plot.js";
+import { eccentricities } from "./plot-range.js";
 import { outlineDialog } from "./read-outline.js";
 import { decode, DOTS, encode, USUAL } from "./state.js";
-import { CortexView, SeenView } from "./views.js";
+import { SeenView } from "./views.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../common/images.js").Picture} Picture */
@@ -25,45 +28,44 @@ import { CortexView, SeenView } from "./views.js";
 /** @typedef {import("./pipeline.js").Result} Result */
 /** @typedef {import("./state.js").State} State */
 
-/** A hand that has not moved for this long rests, in milliseconds; a warp that takes longer than this is given up for a newer one. */
-const REST = 160;
-const PATIENCE = 6000;
-/** Pixels of a draft, a screen's pixel. */
-const DRAFT = 0.5;
 /** An arrow key moves the gaze by this, in plane units. */
 const KEY_STEP = 0.02;
+/** A pause this long ends a series of arrow keys, in milliseconds. */
+const KEY_PAUSE = 400;
 
-await init().catch((error) => {
-  sayBroken(error.message);
-  throw error;
-});
-
-let state = decode(location.hash.slice(1));
+watchErrors();
+const first = decode(location.hash, USUAL);
+remark(wrongWords(first.wrong));
+/** @type {History<State>} */
+const store = new History(first.state);
 /** @type {Picture} */
-let picture = await loadPicture(state.image).catch(() => loadPicture(USUAL.image));
-/** One a panel. @type {Eye[]} */
-let eyes = [];
-let version = 0;
+let picture = await pictureFor(store.value.image);
 /** What is seen at the moment, if that is the camera. @type {Camera | null} */
 let camera = null;
-/** The hemispheres' frames for the camera's pictures. @type {import("../common/frame.js").Frame[]} */
-let liveViews = [];
-/** @type {ReturnType<typeof setTimeout> | undefined} */
-let resting;
+/** The last result, and the newest state that could be drawn altogether. @type {Result | null} */
+let result = null;
+/** Whether the address says something that could not be read: it stays until something is changed. */
+let unread = first.wrong.length > 0;
+/** Whether such an address is being followed. */
+let visiting = false;
+/** Counts the places that were asked about: an answer to an older one is late. */
+let places = 0;
 
 const seen = new SeenView(element("seen"), element("seen-marks"));
-const askForOutline = outlineDialog((outline) => change({ own: ownOutline(outline), landmarks: without("own") }));
+/** @type {Scheduler<Job, Result>} */
+const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), { ...statusOfPage, onResult, failureWords: ({ message }) => message }, 1);
+const askForOutline = outlineDialog((text, scale) => scheduler.ask({ what: "outline", text, scale }), useOutline);
 const panels = ["Map of V1", "Map beside it"].map((label, k) => new CortexPanel(makeFigure(k), label, wishesOf(k)));
-/** @type {Lane<Job, Result>} */
-const lane = new Lane(new URL("./worker.js", import.meta.url), PATIENCE, receive);
-const probes = panels.map(({ view }, k) => {
-  const carrier = { carry: (/** @type {string} */ side, /** @type {Point} */ point) => (side === "target" ? (eyes[k]?.toPicture(point) ?? null) : null) };
+const probes = panels.map(({ view }, panel) => {
+  /** @type {import("../common/probe.js").Carrier} */
+  const carrier = { carry: (side, points) => (side === "target" ? scheduler.ask({ what: "picture", panel, points }) : []) };
   return new Probe(seen, view, () => carrier, () => {});
 });
+const photoChoice = new PhotoChoice(element("choose-photo"), (image) => open(loadPicture(image)));
 
 connect();
 read(null, 0);
-show();
+refresh(false);
 
 /** A panel from the page's template. @param {number} k */
 function makeFigure(k) {
@@ -78,232 +80,229 @@ function makeFigure(k) {
 /** @param {number} k @returns {Wishes} */
 function wishesOf(k) {
   return {
-    choose: (name) => {
-      const chosen = /** @type {[string, string]} */ ([...state.models]);
-      chosen[k] = name;
-      change({ models: chosen });
-    },
-    shear: (shear) => change({ shear }),
-    place: (name, landmark) => change({ landmarks: { ...state.landmarks, [name]: landmark } }),
-    draw: (outline) => change({ own: ownOutline(outline), landmarks: without("own") }),
+    choose: (name) => store.commit({ models: /** @type {[string, string]} */ (store.value.models.with(k, name)) }),
+    shear: (shear) => store.dragTo({ shear }),
+    place: (name, landmark) => store.dragTo({ landmarks: { ...store.value.landmarks, [name]: landmark } }),
+    placed: (kept) => (kept ? store.drop() : store.giveUp()),
+    draw: useOutline,
     read: askForOutline,
     point: (event) => read(event, k),
   };
 }
 
-/** The landmarks that were moved, but for one. @param {string} name */
-const without = (name) => Object.fromEntries(Object.entries(state.landmarks).filter(([key]) => key !== name));
+/** @param {Point[]} outline */
+function useOutline(outline) {
+  const { own: _, ...landmarks } = store.value.landmarks;
+  store.commit({ own: ownOutline(outline), landmarks });
+}
 
-/** Says what a point of the cortex looks at. @param {PointerEvent | null} event @param {number} k the panel */
-function read(event, k) {
-  const { root, frame } = panels[k].view;
-  const at = event && eyes[k]?.at(toPlane(frame, pixelOf(root, event)));
+/** Says what a point of the cortex looks at. @param {PointerEvent | null} event @param {number} panel */
+async function read(event, panel) {
+  const place = ++places;
+  const { root, frame } = panels[panel].view;
+  const at = event && (await scheduler.ask({ what: "place", panel, point: toPlane(frame, pixelOf(root, event)) }));
+  if (place !== places) return;
   element("reading").textContent = at
     ? `This place looks ${at.eccentricity.toFixed(1)}° away from the fixation point, and gives ${at.magnification.toPrecision(2)} mm to each degree.`
     : "Click or drag on the photo to look somewhere else; point at the cortex to see what a place there looks at.";
 }
 
-/** @param {Partial<State>} changes */
-function change(changes) {
-  state = { ...state, ...changes };
-  show();
-}
-
-function show() {
+/** @param {boolean} dragging */
+function refresh(dragging) {
+  const state = store.value;
   for (const probe of probes) probe.hide();
-  const specs = state.models.map((name) => specOf(name, state));
-  if (!look(specs)) return;
-  const half = { width: Math.max(...eyes.map((eye) => eye.half.width)), height: Math.max(...eyes.map((eye) => eye.half.height)) };
-  const [width, height] = picture.frame.pixels;
-  element("panels").style.setProperty("--aspect", String(width / height));
-  element("panels").style.setProperty("--other-aspect", String(CortexView.aspect(half)));
+  layOut();
+  seen.show(picture, state.fixation, state.dots === 0 || camera !== null);
+  panels.forEach((panel, k) => panel.update(state.models[k], state));
   updateControls();
-  eyes.forEach((eye, k) => {
-    const [name, spec] = [state.models[k], specs[k]];
-    const landmark = spec.kind === "outline" ? spec : null;
-    panels[k].update(name, state, landmark);
-    panels[k].refuse("");
-    panels[k].explain(eye, spec.kind === "outline" && !state.landmarks[name] ? spec.fromFormula : undefined);
-    panels[k].view.fit(half);
-    panels[k].view.show(eye.outlines, state.lines ? eye.lines() : [], state.circles ? eye.circles() : [], landmark);
-  });
-  const [eye] = eyes;
-  seen.show(picture, state.fixation, state.lines ? eye.lines() : [], state.circles ? eye.circles() : [], state.dots === 0);
-  showMagnification();
-  mark("working");
-  request(false);
-  clearTimeout(resting);
-  resting = setTimeout(() => {
-    request(true);
-    history.replaceState(null, "", `#${encode(state)}`);
-  }, REST);
+  if (camera) scheduler.follow(jobOf, picture);
+  else scheduler.run(jobOf, picture, dragging);
 }
 
-/** Makes the maps anew; whether they can be made. @param {import("./models.js").Spec[]} specs */
-function look(specs) {
-  /** @type {Eye[]} */
-  const made = [];
-  for (const [k, spec] of specs.entries()) {
-    try {
-      made.push(new Eye(spec, picture.frame, state.fieldOfView, state.fixation));
-    } catch (error) {
-      for (const eye of made) eye.free();
-      panels[k].update(state.models[k], state, spec.kind === "outline" ? spec : null);
-      const words = error instanceof Error ? error.message : String(error);
-      panels[k].refuse(words);
-      mark("invalid");
-      return false;
-    }
-  }
-  for (const eye of eyes) eye.free();
-  eyes = made;
-  return true;
+function layOut() {
+  const [width, height] = picture.frame.pixels;
+  const { style } = element("panels");
+  style.setProperty("--aspect", String(width / height));
+  const half = result?.half ?? NO_HALF;
+  style.setProperty("--other-aspect", String(aspectOf(half)));
+  for (const { view } of panels) view.fit(half);
 }
 
-function showMagnification() {
-  const [first, second] = state.models;
-  const { k, a } = models[first].options ?? {};
-  const published = k && a && !isOutline(first) && first !== "macaque" ? [{ kind: "published", name: `${k}/(E + ${a}), its curve near the fovea`, magnification: eccentricities.map((e) => k / (e + a)) }] : [];
-  const beside = second === first ? [] : [{ kind: "second", name: models[second].title, magnification: eyes[1].magnification(eccentricities) }];
+/** @param {import("../common/scheduler.js").Care} care @returns {Omit<Job, "version" | "fine">} */
+function jobOf({ sharpness }) {
+  const { models: chosen, shear, own, landmarks, fieldOfView, fixation, dots } = store.value;
+  const live = camera?.frame() ?? null;
+  const [columns] = panels[0].view.grid(live ? 1 : sharpness);
+  const recover = dots && !live ? { dots, view: seen.view(sharpness) } : null;
+  return { models: chosen, shear, own, landmarks, fieldOfView, fixation, columns, recover, live };
+}
+
+/** @param {Result} newest @param {boolean} done */
+function onResult(newest, done) {
+  result = newest;
+  const state = store.value;
+  layOut();
+  newest.panels.forEach((panel, k) => panels[k].show(panel, newest.size, newest.half, state));
+  if (camera) seen.drawPhoto(camera.picture);
+  else if (newest.recovered && state.dots) seen.paint(newest.recovered.pixels, newest.recovered.size);
+  seen.overlay(state.fixation, state.lines ? newest.seen.lines : [], state.circles ? newest.seen.circles : []);
+  const time = Math.max(1, Math.round(newest.warpMs));
+  if (camera) element("evidence").textContent = `${MEASURED} A frame of the camera is drawn in ${time} ms.`;
+  if (!done || camera) return;
+  element("evidence").textContent = `${MEASURED} Drawn in ${time} ms from a foveated picture of ${newest.levels} ${newest.levels === 1 ? "level" : "levels"}.`;
+  showMagnification(newest);
+  // What cannot be drawn is not worth a link.
+  if (!unread && !newest.panels.some((panel) => "refusal" in panel)) history.replaceState(null, "", `#${encode(state)}`);
+}
+
+/** @param {Result} newest */
+function showMagnification({ panels: shown }) {
+  const [one, other] = store.value.models;
+  /** @param {number} k @param {string} kind @param {string} name */
+  const curve = (k, kind, name) => {
+    const panel = shown[k];
+    return "drawn" in panel ? [{ kind, name: models.get(name)?.title ?? "", magnification: panel.drawn.magnification }] : [];
+  };
+  const { k, a } = models.get(one)?.options ?? {};
+  const published = k && a && !isOutline(one) && one !== "macaque" ? [{ kind: "published", name: `${k}/(E + ${a}), its curve near the fovea`, magnification: eccentricities.map((e) => k / (e + a)) }] : [];
   plotMagnification(element("plot"), [
-    { kind: "first", name: models[first].title, magnification: eyes[0].magnification(eccentricities) },
-    ...beside,
+    ...curve(0, "first", one),
+    ...(other === one ? [] : curve(1, "second", other)),
     ...published,
     { kind: "measured", name: "17.3/(E + 0.75), Horton and Hoyt (1991)", magnification: hortonHoyt },
   ]);
 }
 
-/** @param {boolean} fine */
-function request(fine) {
-  const { models, fieldOfView, fixation, dots } = state;
-  const sharpness = fine ? 1 : DRAFT;
-  const [{ view }] = panels;
-  if (camera) {
-    liveViews = view.views(sharpness);
-    camera.prepare(eyes, liveViews);
-    return;
-  }
-  lane.setPicture(picture);
-  lane.request({
-    version: ++version,
-    specs: models.map((name) => specOf(name, state)),
-    fieldOfView,
-    fixation,
-    views: view.views(sharpness),
-    fine,
-    recover: dots ? { dots, view: seen.view(sharpness) } : null,
+async function switchCamera() {
+  if (camera) return open(loadPicture(store.value.image));
+  await attempt(Camera.open(() => scheduler.follow(jobOf, picture)), (opened) => {
+    camera = opened;
+    picture = opened.picture;
+    store.commit({ fixation: [0, 0], dots: 0 });
   });
 }
 
-/** @param {import("../common/serve.js").Reply<Result>} reply */
-function receive(reply) {
-  if ("broken" in reply) return sayBroken(reply.broken);
-  if ("progress" in reply) return;
-  if ("failure" in reply) return reply.failure.version === version ? say(reply.failure.message, "invalid") : undefined;
-  const { result } = reply;
-  result.panels.forEach((pixels, k) => panels[k].view.paint(pixels, result.views));
-  if (result.recovered && state.dots) seen.paint(result.recovered, seen.view(result.fine ? 1 : DRAFT).pixels);
-  if (result.version !== version || !result.fine) return;
-  const stack = `from a foveated picture of ${result.levels} ${result.levels === 1 ? "level" : "levels"}`;
-  element("evidence").textContent = `${MEASURED} Drawn in ${Math.max(1, Math.round(result.warpMs))} ms ${stack}.`;
-  say("", "ready");
-}
-
-/** The camera's newest frame, everywhere. */
-function drawLive() {
-  if (!camera || !liveViews.length) return;
-  const begin = performance.now();
-  camera.draw().forEach((pixels, k) => panels[k].view.paint(pixels, liveViews));
-  seen.drawPhoto(camera.picture);
-  element("evidence").textContent = `${MEASURED} A frame of the camera is drawn in ${Math.max(1, Math.round(performance.now() - begin))} ms.`;
-  say("", "ready");
-}
-
-async function switchCamera() {
-  if (camera) return open(loadPicture(USUAL.image));
-  try {
-    camera = await Camera.open(drawLive);
-    picture = camera.picture;
-    change({ image: CAMERA, fixation: [0, 0], dots: 0 });
-  } catch (error) {
-    say(error instanceof Error ? error.message : String(error), "invalid");
-  }
+function closeCamera() {
+  camera?.close();
+  camera = null;
 }
 
 function connect() {
-  const image = /** @type {HTMLSelectElement} */ (element("choose-photo"));
-  image.append(...Object.entries(photos).map(([id, { title }]) => new Option(title, id)));
-  image.onchange = () => open(loadPicture(image.value));
   const angle = /** @type {HTMLInputElement} */ (element("field-of-view"));
-  angle.oninput = () => change({ fieldOfView: Number(angle.value) });
+  angle.oninput = () => store.dragTo({ fieldOfView: Number(angle.value) });
+  angle.onchange = () => store.drop();
   const dots = /** @type {HTMLSelectElement} */ (element("dots"));
   dots.append(...DOTS.map((n) => new Option(`as ${n} ${n === 1 ? "dot" : "dots"} a mm of V1 recover it`, String(n))));
-  dots.onchange = () => change({ dots: Number(dots.value) });
-  element("lines").onclick = () => change({ lines: !state.lines });
-  element("circles").onclick = () => change({ circles: !state.circles });
+  dots.onchange = () => store.commit({ dots: Number(dots.value) });
+  element("lines").onclick = () => store.commit({ lines: !store.value.lines });
+  element("circles").onclick = () => store.commit({ circles: !store.value.circles });
+  element("undo").onclick = () => store.undo();
+  element("redo").onclick = () => store.redo();
+  element("reset").onclick = () => store.commit({ ...USUAL, image: store.value.image, fixation: firstGaze(store.value.image) });
   element("camera").onclick = switchCamera;
+  element("stop").onclick = () => scheduler.stop();
   element("save").onclick = () => saveCanvas(panels[0].view.canvas, "cortex.png");
   const file = /** @type {HTMLInputElement} */ (element("file"));
   element("open").onclick = () => file.click();
   acceptFiles(file, element("seen-stage"), (chosen) => open(addPicture(chosen)));
   connectGaze();
-  window.addEventListener("hashchange", async () => {
-    state = decode(location.hash.slice(1));
-    picture = await loadPicture(state.image).catch(() => picture);
-    show();
-  });
-  new ResizeObserver(() => show()).observe(element("panels"));
+  onUndoKeys(
+    () => store.undo(),
+    () => store.redo(),
+  );
+  store.subscribe(onChange);
+  window.addEventListener("hashchange", visit);
+  new ResizeObserver(() => refresh(false)).observe(element("panels"));
+}
+
+/** @param {import("../common/history.js").Change} change */
+async function onChange(change) {
+  unread = visiting;
+  const { image } = store.value;
+  if (!camera && picture.id !== image) picture = await pictureFor(image);
+  refresh(change === "drag");
+}
+
+/** Goes to another address: what it says, and the rest as it is. */
+async function visit() {
+  const { state, wrong } = decode(location.hash, store.value);
+  remark(wrongWords(wrong));
+  closeCamera();
+  visiting = wrong.length > 0;
+  store.commit(state);
+  visiting = false;
 }
 
 function connectGaze() {
   const { root } = seen;
+  /** @type {number | null} */
+  let held = null;
   root.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
+    if (event.button !== 0 || held !== null) return;
+    held = event.pointerId;
     root.setPointerCapture(event.pointerId);
     fixate(pixelOf(root, event));
   });
   root.addEventListener("pointermove", (event) => {
-    if (root.hasPointerCapture(event.pointerId)) fixate(pixelOf(root, event));
+    if (event.pointerId === held) fixate(pixelOf(root, event));
   });
+  for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
+    root.addEventListener(end, (event) => {
+      if (event.pointerId !== held) return;
+      held = null;
+      store.drop();
+    });
+  }
+  onEscape(() => {
+    const dragged = held !== null;
+    held = null;
+    if (dragged) store.giveUp();
+    return dragged;
+  });
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let keys;
   root.addEventListener("keydown", (event) => {
     /** @type {Record<string, Point>} */
     const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
     const step = steps[event.key];
     if (!step) return;
     event.preventDefault();
-    change({ fixation: [state.fixation[0] + KEY_STEP * step[0], state.fixation[1] + KEY_STEP * step[1]] });
+    const [x, y] = store.value.fixation;
+    store.dragTo({ fixation: [x + KEY_STEP * step[0], y + KEY_STEP * step[1]] });
+    clearTimeout(keys);
+    keys = setTimeout(() => store.drop(), KEY_PAUSE);
   });
 }
 
 /** @param {Point} pixel of the photo's panel */
 function fixate([x, y]) {
   const [width, height] = seen.frame.pixels;
-  change({ fixation: toPlane(seen.frame, [Math.min(width, Math.max(0, x)), Math.min(height, Math.max(0, y))]) });
+  store.dragTo({ fixation: toPlane(seen.frame, [Math.min(width, Math.max(0, x)), Math.min(height, Math.max(0, y))]) });
 }
 
+/** @param {string} image @returns {Point} */
+const firstGaze = (image) => (image === USUAL.image ? USUAL.fixation : [0, 0]);
+
 /** @param {Promise<Picture>} loading */
-async function open(loading) {
-  try {
-    picture = await loading;
-    camera?.close();
-    camera = null;
-    change({ image: picture.id, fixation: picture.id === USUAL.image ? USUAL.fixation : [0, 0] });
-  } catch (error) {
-    say(error instanceof Error ? error.message : String(error), "invalid");
-  }
+function open(loading) {
+  return attempt(loading, (opened) => {
+    closeCamera();
+    picture = opened;
+    store.commit({ image: picture.id, fixation: firstGaze(picture.id) });
+  });
 }
 
 function updateControls() {
-  const image = /** @type {HTMLSelectElement} */ (element("choose-photo"));
-  if (!camera) [...image.options].find(({ value }) => value === CAMERA)?.remove();
-  if (![...image.options].some(({ value }) => value === picture.id)) image.append(new Option(picture.title, picture.id));
-  image.value = picture.id;
-  /** @type {HTMLInputElement} */ (element("field-of-view")).value = String(state.fieldOfView);
-  element("angle").textContent = `${state.fieldOfView}°`;
+  const { fieldOfView, dots: chosen, lines, circles } = store.value;
+  photoChoice.show(picture);
+  /** @type {HTMLInputElement} */ (element("field-of-view")).value = String(fieldOfView);
+  element("angle").textContent = `${fieldOfView}°`;
   const dots = /** @type {HTMLSelectElement} */ (element("dots"));
-  dots.value = String(state.dots);
+  dots.value = String(chosen);
   dots.disabled = camera !== null;
-  element("camera").setAttribute("aria-pressed", String(camera !== null));
-  element("lines").setAttribute("aria-pressed", String(state.lines));
-  element("circles").setAttribute("aria-pressed", String(state.circles));
+  press("camera", camera !== null);
+  press("lines", lines);
+  press("circles", circles);
+  /** @type {HTMLButtonElement} */ (element("undo")).disabled = !store.canUndo;
+  /** @type {HTMLButtonElement} */ (element("redo")).disabled = !store.canRedo;
 }

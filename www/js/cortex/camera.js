@@ -1,16 +1,10 @@
-// The camera as a picture that changes: its frames go through prepared warps, on the page's own thread.
+// The camera as a picture that changes: its frames are handed over one by one.
 
-import { Texture } from "../../pkg/index.js";
+import { contextOf } from "../common/canvas.js";
 import { photoFrame } from "../common/frame.js";
 
-/** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/images.js").Picture} Picture */
-/** @typedef {import("../../pkg/index.js").PreparedWarp} PreparedWarp */
-/** @typedef {import("./eye.js").Eye} Eye */
-/** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
 
-/** The picture's id. */
-export const CAMERA = "camera";
 const [WIDTH, HEIGHT] = [640, 480];
 
 export class Camera {
@@ -18,9 +12,6 @@ export class Camera {
   picture;
   #video;
   #context;
-  #texture;
-  /** One a hemisphere, for each panel. @type {PreparedWarp[][]} */
-  #warps = [];
   #open = true;
 
   /** Asks for the camera. @param {() => void} onFrame @returns {Promise<Camera>} */
@@ -38,12 +29,8 @@ export class Camera {
   constructor(video, onFrame) {
     this.#video = video;
     const canvas = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT });
-    const context = canvas.getContext("2d", { willReadFrequently: true });
-    if (!context) throw new Error("This browser gives no 2d canvas.");
-    this.#context = context;
-    const pixels = this.#frame();
-    this.#texture = new Texture(pixels, WIDTH, HEIGHT);
-    this.picture = { id: CAMERA, title: "Camera", canvas, pixels, frame: photoFrame(WIDTH, HEIGHT) };
+    this.#context = contextOf(canvas, { willReadFrequently: true });
+    this.picture = { id: "camera", title: "Camera", canvas, pixels: this.frame(), frame: photoFrame(WIDTH, HEIGHT) };
     const next = () => {
       if (!this.#open) return;
       onFrame();
@@ -52,32 +39,14 @@ export class Camera {
     video.requestVideoFrameCallback(next);
   }
 
-  #frame() {
+  /** The newest frame's pixels; the picture's canvas shows it from then on. */
+  frame() {
     this.#context.drawImage(this.#video, 0, 0, WIDTH, HEIGHT);
     return this.#context.getImageData(0, 0, WIDTH, HEIGHT).data;
   }
 
-  /** Finds all out that does not change from frame to frame. @param {Eye[]} eyes @param {Frame[]} views of the two hemispheres */
-  prepare(eyes, views) {
-    this.#freeWarps();
-    this.#warps = eyes.map((eye) => eye.prepare(this.#texture, this.picture.frame, views));
-  }
-
-  /** The newest frame on the cortex: for each panel one picture a hemisphere. @returns {Pixels[][]} */
-  draw() {
-    this.#texture.replace(this.#frame());
-    return this.#warps.map((warps) => warps.map((warp) => /** @type {Pixels} */ (warp.warp(this.#texture))));
-  }
-
-  #freeWarps() {
-    for (const warp of this.#warps.flat()) warp.free();
-    this.#warps = [];
-  }
-
   close() {
     this.#open = false;
-    this.#freeWarps();
-    this.#texture.free();
     for (const track of /** @type {MediaStream} */ (this.#video.srcObject).getTracks()) track.stop();
   }
 }

@@ -1,45 +1,125 @@
-// Plain data → maps of the visual field. What was solved for an outline is kept, and used for its other landmarks.
+// Plain data → maps of the visual field, and what is drawn of them whatever is looked at. What was made is kept for a while.
 
 import { Region, RetinoCorticalMap, RiemannMap } from "../../pkg/index.js";
-import { flatten } from "../common/frame.js";
+import { flatten, unflatten } from "../common/frame.js";
+import { GRID, onSide, SMALL_CIRCLES } from "./field.js";
+import { eccentricities } from "./plot-range.js";
 
+/** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../../pkg/index.js").Hemisphere} Hemisphere */
+/** @typedef {import("./field.js").FieldLine} FieldLine */
 /** @typedef {import("./models.js").Spec} Spec */
 /** @typedef {import("./models.js").Outline} Outline */
+/** A line as it is drawn: x, y, x, y, … @typedef {{ name: string, at: Float64Array }} Line */
+/**
+ * What a panel shows beside its pictures.
+ * @typedef {object} Drawn
+ * @property {number} area of one hemisphere, in mm²
+ * @property {[number, number]} [landmarkError] how far an outline's map misses its landmark: in mm, in radians
+ * @property {import("./layout.js").Half} half
+ * @property {Float64Array} outline of the left hemisphere
+ * @property {Line[]} lines
+ * @property {Line[]} circles
+ * @property {Float64Array} magnification mm a degree along the horizontal meridian, at `eccentricities`
+ */
 
-/** The hemispheres in the order in which their halves of the field are seen. @type {Hemisphere[]} */
-export const HEMISPHERES = ["right", "left"];
+/** The hemispheres in the order in which their halves of the field are seen, and those halves' sides. @type {{ hemisphere: Hemisphere, side: 1 | -1 }[]} */
+export const HEMISPHERES = [{ hemisphere: "right", side: -1 }, { hemisphere: "left", side: 1 }];
 
 /** Loose enough to be quick: the disk has radius 1, and a hemisphere 80 mm. */
 const TOLERANCE = 1e-6;
-/** Outlines that are kept. */
+/** Outlines, and maps, that are kept. */
 const KEPT = 4;
 
-/** @type {Map<string, RiemannMap>} */
-const solved = new Map();
+/** Values by key; of too many the oldest is freed. @template {{ free(): void }} T */
+class Shelf {
+  /** @type {Map<string, T>} */ #kept = new Map();
+
+  /** @param {string} key @param {() => T} make @returns {T} */
+  get(key, make) {
+    const known = this.#kept.get(key);
+    const value = known ?? make();
+    this.#kept.delete(key);
+    this.#kept.set(key, value);
+    const [oldest] = this.#kept.keys();
+    if (this.#kept.size > KEPT) {
+      this.#kept.get(oldest)?.free();
+      this.#kept.delete(oldest);
+    }
+    return value;
+  }
+
+  /** @param {(key: string) => boolean} fits @returns {T | undefined} */
+  find(fits) {
+    return [...this.#kept].find(([key]) => fits(key))?.[1];
+  }
+}
+
+/** @type {Shelf<RiemannMap>} */
+const solved = new Shelf();
+/** @type {Shelf<Cortex>} */
+const cortices = new Shelf();
 
 /** @param {Outline} outline */
-export function solve({ boundary, center }) {
-  const place = JSON.stringify([boundary, center]);
-  const known = solved.get(place);
-  if (known) return known;
+function solve({ boundary, center }) {
   const [toward] = boundary;
   const shape = JSON.stringify(boundary);
-  const same = [...solved].find(([key]) => key.startsWith(`[${shape},`));
-  const map = same
-    ? same[1].withCenter({ center, toward })
-    : RiemannMap.solve(new Region({ boundary: flatten(boundary), center, toward }), { tolerance: TOLERANCE });
-  solved.set(place, map);
-  const [oldest] = solved.keys();
-  if (solved.size > KEPT) {
-    solved.get(oldest)?.free();
-    solved.delete(oldest);
-  }
-  return map;
+  return solved.get(JSON.stringify([boundary, center]), () => {
+    const same = solved.find((key) => key.startsWith(`[${shape},`));
+    if (same) return same.withCenter({ center, toward });
+    const region = new Region({ boundary: flatten(boundary), center, toward });
+    try {
+      return RiemannMap.solve(region, { tolerance: TOLERANCE });
+    } finally {
+      region.free();
+    }
+  });
 }
 
 /** @param {Spec} spec @param {Hemisphere} hemisphere */
-export function cortexOf(spec, hemisphere) {
+function mapOf(spec, hemisphere) {
   if (spec.kind === "formula") return RetinoCorticalMap.model({ ...spec.options, hemisphere });
   return RetinoCorticalMap.outline(solve(spec), { direction: spec.direction, hemisphere });
 }
+
+/** The map of a spec, both hemispheres. @param {Spec} spec */
+export const cortexOf = (spec) => cortices.get(JSON.stringify(spec), () => new Cortex(spec));
+
+export class Cortex {
+  halves;
+  /** @type {Drawn} */ drawn;
+
+  /** @param {Spec} spec */
+  constructor(spec) {
+    this.halves = HEMISPHERES.map(({ hemisphere, side }) => ({ side, map: mapOf(spec, hemisphere) }));
+    const { map } = this.halves[1];
+    const outline = map.boundary;
+    const points = unflatten(outline);
+    this.drawn = {
+      area: map.area,
+      landmarkError: map.landmarkError,
+      half: { width: Math.max(...points.map(([x]) => Math.abs(x))), height: Math.max(...points.map(([, y]) => Math.abs(y))) },
+      outline,
+      lines: this.#carried(GRID),
+      circles: this.#carried(SMALL_CIRCLES),
+      magnification: map.magnification(new Float64Array(eccentricities.flatMap((e) => [e, 0]))),
+    };
+  }
+
+  free() {
+    for (const { map } of this.halves) map.free();
+  }
+
+  /** The half in which a point of the cortex lies. @param {Point} point */
+  indexAt(point) {
+    return point[0] < 0 ? 0 : 1;
+  }
+
+  /** @param {FieldLine[]} lines @returns {Line[]} */
+  #carried(lines) {
+    return this.halves.flatMap(({ side, map }) => lines.map(({ name, field }) => ({ name, at: finite(map.toCortex(onSide(field, side))) })));
+  }
+}
+
+/** The points that are some. @param {Float64Array} flat */
+export const finite = (flat) => flatten(unflatten(flat).filter(([x]) => Number.isFinite(x)));

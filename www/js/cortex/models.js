@@ -1,6 +1,5 @@
 // The maps of V1 that the page offers, each with its source: formulas, and outlines that Symm's method maps.
 
-import { RetinoCorticalMap } from "../../pkg/index.js";
 import { deepPoint } from "../editor/geometry.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -13,14 +12,14 @@ import { deepPoint } from "../editor/geometry.js";
 /** @typedef {"formulas" | "outlines, by Symm’s method"} Group */
 /** @typedef {{ title: string, group: Group, source: string, options?: Omit<ModelOptions, "hemisphere"> }} Model */
 
-const POLIMENI = { k: 15, a: 0.69, b: 80 };
+export const POLIMENI = { k: 15, a: 0.69, b: 80 };
 /** Mean areas of V1 in mm², as measured. */
-const HUMAN = 2643;
+export const HUMAN = 2643;
 const MACAQUE = 1343;
 export const MEASURED = `Measured: ${HUMAN} mm² in people on average, 1986 to 3477 (Adams, Sincich and Horton, 2007), ${MACAQUE} mm² in macaques (Sincich, Adams and Horton, 2003).`;
 
-/** Lengths in millimetres, eccentricities in degrees. @type {Record<string, Model>} */
-export const models = {
+/** Lengths in millimetres, eccentricities in degrees. @type {Map<string, Model>} */
+export const models = new Map(Object.entries({
   schira: {
     title: "Dipole of 2010",
     group: "formulas",
@@ -64,43 +63,10 @@ export const models = {
     options: { ...POLIMENI, area: MACAQUE },
   },
   own: { title: "An outline of your own", group: "outlines, by Symm’s method", source: "your outline" },
-};
-
-/** Vertices of the outlines that come with the page. */
-const VERTICES = 160;
-/** The blind spot: 15° temporal, 1.5° below. */
-const BLIND_SPOT = [15, -1.5];
-/** Degrees → the stereographic half disk, its radius taken for 90: a dipole's outline is a conformal image of that too, corner for corner. */
-const onDisk = (/** @type {number} */ x, /** @type {number} */ y) => {
-  const e = Math.hypot(x, y);
-  const scale = (90 * Math.tan((e * Math.PI) / 360)) / e;
-  return [x * scale, y * scale];
-};
+}));
 
 /** @param {string} name */
-export const isOutline = (name) => models[name].group !== "formulas";
-
-/** @type {Map<string, Outline>} */
-const given = new Map();
-
-/** The outline of a formula, with the landmark where the corners of the field go to the outline’s. @param {string} name @returns {Outline} */
-export function outlineOf(name) {
-  const known = given.get(name);
-  if (known) return known;
-  const options = models[name].options ?? { ...POLIMENI, area: HUMAN };
-  const model = RetinoCorticalMap.model(options);
-  const [right, below] = BLIND_SPOT;
-  const [x, y, ahead, up] = model.toCortex(new Float64Array([...onDisk(right, below), ...onDisk(right + 1e-3, below)]));
-  const [u, v] = model.toCortex(new Float64Array(BLIND_SPOT));
-  model.free();
-  const flat = RetinoCorticalMap.modelOutline(options, name === "own" ? 80 : VERTICES);
-  /** @type {Point[]} */
-  const boundary = Array.from({ length: flat.length / 2 }, (_, k) => [flat[2 * k], flat[2 * k + 1]]);
-  /** @type {Outline} */
-  const outline = { kind: "outline", boundary, center: [x, y], direction: Math.atan2(up - y, ahead - x), fromFormula: Math.hypot(u - x, v - y) };
-  given.set(name, outline);
-  return outline;
-}
+export const isOutline = (name) => models.get(name)?.group !== "formulas";
 
 /** An outline that somebody gave, put where the page shows left hemispheres, with a landmark to begin with. @param {Point[]} boundary @returns {Outline} */
 export function ownOutline(boundary) {
@@ -109,14 +75,4 @@ export function ownOutline(boundary) {
   const middle = (Math.min(...ys) + Math.max(...ys)) / 2;
   const placed = boundary.map(([x, y]) => /** @type {Point} */ ([x - left, y - middle]));
   return { kind: "outline", boundary: placed, center: deepPoint(placed), direction: 0 };
-}
-
-/**
- * @param {string} name @param {{ shear: number, own: Outline | null, landmarks: Record<string, Landmark> }} state
- * @returns {Spec}
- */
-export function specOf(name, { shear, own, landmarks }) {
-  if (isOutline(name)) return { ...((name === "own" && own) || outlineOf(name)), ...landmarks[name] };
-  const { options = POLIMENI } = models[name];
-  return { kind: "formula", options: name === "wedge" ? { ...options, shear } : options };
 }

@@ -1,21 +1,23 @@
 // One panel of the cortex: which map it shows, where that comes from, and how to change it.
 
 import { toPlane } from "../common/frame.js";
+import { onEscape } from "../common/keys.js";
 import { pixelOf } from "../common/svg.js";
 import { Pen } from "../editor/pen.js";
 import { isOutline, MEASURED, models } from "./models.js";
 import { CortexView } from "./views.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
-/** @typedef {import("./eye.js").Eye} Eye */
+/** @typedef {import("./pipeline.js").Panel} Panel */
 /** @typedef {import("./models.js").Landmark} Landmark */
 /** @typedef {import("./state.js").State} State */
 /**
  * What a panel asks of the page.
  * @typedef {object} Wishes
  * @property {(name: string) => void} choose
- * @property {(shear: number) => void} shear
- * @property {(name: string, landmark: Landmark) => void} place
+ * @property {(shear: number) => void} shear a step of a drag
+ * @property {(name: string, landmark: Landmark) => void} place a step of a drag
+ * @property {(kept: boolean) => void} placed the drag has ended, or was given up
  * @property {(outline: Point[]) => void} draw
  * @property {() => void} read an outline from text
  * @property {(event: PointerEvent | null) => void} point
@@ -23,6 +25,8 @@ import { CortexView } from "./views.js";
 
 /** Steps of the arrow keys: in mm, in radians. */
 const [STEP, TURN] = [0.5, 0.03];
+/** A pause this long ends a series of arrow keys, in milliseconds. */
+const KEY_PAUSE = 400;
 
 export class CortexPanel {
   view;
@@ -32,6 +36,8 @@ export class CortexPanel {
   #name = "";
   /** @type {Landmark | null} */
   #landmark = null;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #keys;
 
   /** @param {HTMLElement} figure made from the page's template @param {string} label @param {Wishes} wishes */
   constructor(figure, label, wishes) {
@@ -40,7 +46,7 @@ export class CortexPanel {
     this.view = new CortexView(this.#part("canvas"), this.#part("svg"));
     const choice = /** @type {HTMLSelectElement} */ (this.#part("select"));
     choice.setAttribute("aria-label", label);
-    const groups = Object.groupBy(Object.entries(models), ([, { group }]) => group);
+    const groups = Object.groupBy([...models], ([, { group }]) => group);
     for (const [title, members] of Object.entries(groups)) {
       const group = Object.assign(document.createElement("optgroup"), { label: title });
       group.append(...(members ?? []).map(([name, model]) => new Option(model.title, name)));
@@ -49,6 +55,7 @@ export class CortexPanel {
     choice.onchange = () => wishes.choose(choice.value);
     const shear = /** @type {HTMLInputElement} */ (this.#part(".shear input"));
     shear.oninput = () => wishes.shear(Number(shear.value));
+    shear.onchange = () => wishes.placed(true);
     this.#pen = this.#makePen();
     this.#part(".draw").onclick = () => this.#pen.begin();
     this.#part(".read").onclick = () => wishes.read();
@@ -62,20 +69,14 @@ export class CortexPanel {
     return this.#figure.querySelector(selector);
   }
 
-  /** The pen of the region's page, whose outlines go to the page here. */
   #makePen() {
     const { root } = this.view;
-    const store = {
-      mode: "edit",
-      /** @param {string} mode */
-      setMode(mode) {
-        this.mode = mode;
-        root.classList.toggle("drawing", mode === "draw");
-      },
-      /** @param {{ region: { boundary: Point[] } }} changes */
-      commit: ({ region }) => this.#wishes.draw(region.boundary),
-    };
-    return new Pen(/** @type {any} */ (store), /** @type {any} */ (this.view));
+    return new Pen({
+      view: this.view,
+      isActive: () => root.classList.contains("drawing"),
+      onMode: (drawing) => root.classList.toggle("drawing", drawing),
+      onOutline: (outline) => this.#wishes.draw(outline),
+    });
   }
 
   #followLandmark() {
@@ -93,7 +94,16 @@ export class CortexPanel {
       if (part === "center") this.#wishes.place(this.#name, { center: at, direction });
       else this.#wishes.place(this.#name, { center, direction: Math.atan2(at[1] - center[1], at[0] - center[0]) });
     });
-    for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) root.addEventListener(end, () => (part = undefined));
+    /** @param {boolean} kept */
+    const release = (kept) => {
+      const held = part !== undefined;
+      part = undefined;
+      if (held) this.#wishes.placed(kept);
+      return held;
+    };
+    root.addEventListener("pointerup", () => release(true));
+    root.addEventListener("pointercancel", () => release(true));
+    onEscape(() => release(false));
     root.addEventListener("keydown", (event) => {
       const handle = event.target instanceof SVGElement ? event.target.dataset.part : undefined;
       /** @type {Record<string, Point>} */
@@ -104,13 +114,16 @@ export class CortexPanel {
       const { center, direction } = this.#landmark;
       const moved = handle === "center" ? { center: /** @type {Point} */ ([center[0] + STEP * step[0], center[1] + STEP * step[1]]), direction } : { center, direction: direction + TURN * (step[1] - step[0]) };
       this.#wishes.place(this.#name, moved);
+      clearTimeout(this.#keys);
+      this.#keys = setTimeout(() => this.#wishes.placed(true), KEY_PAUSE);
     });
   }
 
-  /** The panel's own controls. @param {string} name @param {State} state @param {Landmark | null} landmark */
-  update(name, { shear }, landmark) {
+  /** The panel's own controls. @param {string} name @param {State} state */
+  update(name, { shear, landmarks }) {
+    if (name !== this.#name) this.#landmark = null;
     this.#name = name;
-    this.#landmark = landmark;
+    this.#mark(isOutline(name) ? (landmarks[name] ?? this.#landmark) : null);
     this.#part("select").value = name;
     this.#part(".shear").hidden = name !== "wedge";
     const slider = /** @type {HTMLInputElement} */ (this.#part(".shear input"));
@@ -120,25 +133,39 @@ export class CortexPanel {
     this.#part(".tools").hidden = name !== "wedge" && name !== "own";
   }
 
-  /** Where the map comes from, and what it says of itself. @param {Eye} eye @param {number} [fromFormula] how far the outline’s formula has the blind spot from the landmark, in mm */
-  explain(eye, fromFormula) {
-    const { source } = models[this.#name];
-    const area = `${Math.round(eye.area)} mm² a hemisphere`;
-    const sentences = [`${isOutline(this.#name) ? "Symm’s map of " : ""}${source}; ${area}.`];
+  /** @param {Landmark | null} landmark */
+  #mark(landmark) {
+    this.#landmark = landmark;
+    this.view.mark(landmark);
+  }
+
+  /** What was found out about this panel's map; one that refuses keeps its picture. @param {Panel} panel @param {Point} size of a hemisphere's picture @param {import("./layout.js").Half} half @param {State} state */
+  show(panel, size, half, { lines, circles }) {
+    const refused = "refusal" in panel;
+    this.#figure.classList.toggle("refused", refused);
+    this.view.fit(half);
+    this.#mark(panel.landmark);
+    if (refused) {
+      this.#part(".note").textContent = panel.refusal;
+      return;
+    }
+    this.view.paint(panel.pixels, size);
+    this.view.show(panel.drawn.outline, lines ? panel.drawn.lines : [], circles ? panel.drawn.circles : []);
+    this.#explain(panel.drawn, panel.landmark?.fromFormula);
+  }
+
+  /** Where the map comes from, and what it says of itself. @param {import("./maps.js").Drawn} drawn @param {number} [fromFormula] how far the outline’s formula has the blind spot from the landmark, in mm */
+  #explain({ area, landmarkError }, fromFormula) {
+    const { source = "" } = models.get(this.#name) ?? {};
+    const sentences = [`${isOutline(this.#name) ? "Symm’s map of " : ""}${source}; ${Math.round(area)} mm² a hemisphere.`];
     sentences[0] = sentences[0][0].toUpperCase() + sentences[0].slice(1);
-    if (eye.landmarkError) {
-      const [distance, angle] = eye.landmarkError;
+    if (landmarkError) {
+      const [distance, angle] = landmarkError;
       sentences.push(`The blind spot lands ${power(distance)} mm from its place, its meridian ${power(angle)} radians from its direction.`);
     }
     if (fromFormula) sentences.push(`The dipole itself, which takes the sphere for a plane, has it ${fromFormula.toFixed(1)} mm further out.`);
     this.#part(".note").textContent = sentences.join(" ");
     this.#part(".note").title = MEASURED;
-  }
-
-  /** @param {string} words what keeps it from being drawn */
-  refuse(words) {
-    this.#part(".note").textContent = words;
-    this.#figure.classList.toggle("refused", words !== "");
   }
 }
 

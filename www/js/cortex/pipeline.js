@@ -1,34 +1,53 @@
-// From a picture and a fixation point to what both hemispheres receive, and to what of it can be recovered.
+// From a picture and a fixation point to what both hemispheres receive, the lines over it, and what of it can be recovered.
 
-import { FoveatedTexture, Texture } from "../../pkg/index.js";
-import { cortexOf, HEMISPHERES } from "./maps.js";
+import { FoveatedTexture, Region, RetinoCorticalMap, Texture } from "../../pkg/index.js";
+import { flatten, unflatten } from "../common/frame.js";
+import { GRID, onSide, SMALL_CIRCLES } from "./field.js";
+import { hemisphereFrames, NO_HALF } from "./layout.js";
+import { cortexOf, finite, HEMISPHERES } from "./maps.js";
+import { POLIMENI } from "./models.js";
+import { specOf } from "./specs.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
+/** @typedef {import("../../pkg/index.js").CorticalImage} CorticalImage */
+/** @typedef {import("../../pkg/index.js").PreparedWarp} PreparedWarp */
 /** @typedef {import("../../pkg/index.js").Quality} Quality */
-/** @typedef {import("../../pkg/index.js").RetinoCorticalMap} RetinoCorticalMap */
-/** @typedef {import("./models.js").Spec} Spec */
+/** @typedef {import("./maps.js").Cortex} Cortex */
+/** @typedef {import("./maps.js").Drawn} Drawn */
+/** @typedef {import("./maps.js").FieldLine} FieldLine */
+/** @typedef {import("./maps.js").Line} Line */
+/** @typedef {import("./models.js").Landmark} Landmark */
+/** @typedef {import("./models.js").Outline} Outline */
 /** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
 /**
  * @typedef {object} Job
  * @property {number} version which state of the page this is for
- * @property {Spec[]} specs one a panel
+ * @property {string[]} models one a panel
+ * @property {number} shear
+ * @property {Outline | null} own
+ * @property {Record<string, Landmark>} landmarks
  * @property {number} fieldOfView in degrees, across the picture
  * @property {Point} fixation in the picture's plane
- * @property {Frame[]} views of the cortex in millimetres, one a hemisphere
+ * @property {number} columns pixels of a panel
  * @property {boolean} fine
  * @property {{ dots: number, view: Frame } | null} recover the first panel's cortex keeps so many dots a millimetre
+ * @property {Uint8ClampedArray | null} live the newest frame of a camera
  */
+/** Whatever a panel shows, its landmark can be dragged. @typedef {{ landmark: (Landmark & { fromFormula?: number }) | null } & ({ drawn: Drawn, pixels: Pixels[] } | { refusal: string })} Panel */
 /**
  * @typedef {object} Result
  * @property {number} version
  * @property {boolean} fine
- * @property {Frame[]} views
- * @property {Pixels[][]} panels one picture a hemisphere
- * @property {Pixels | null} recovered
+ * @property {import("./layout.js").Half} half
+ * @property {Point} size pixels of a hemisphere's picture
+ * @property {Panel[]} panels
+ * @property {{ lines: Line[], circles: Line[] }} seen lines over the picture
+ * @property {{ pixels: Pixels, size: Point } | null} recovered
  * @property {number} levels of the foveated texture
  * @property {number} warpMs
  */
+/** @typedef {{ what: "picture", panel: number, points: Point[] } | { what: "place", panel: number, point: Point } | { what: "outline", text: string, scale: number }} Question */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
 
 /** Pixels along each side of a level: about what a hemisphere has on the screen. */
@@ -42,53 +61,106 @@ export class CortexPipeline {
   #large = null;
   /** @type {{ fixation: Point, texture: FoveatedTexture } | null} */
   #foveated = null;
+  /** What the panels look at, by the last job. @type {({ cortex: Cortex, images: CorticalImage[] } | null)[]} */
+  #eyes = [];
+  /** Warps of a camera's frames, found out once. @type {{ key: string, warps: PreparedWarp[][] } | null} */
+  #prepared = null;
 
   /** @param {Uint8ClampedArray} pixels @param {Frame} frame @param {Blob} [file] */
   setPicture(pixels, frame, file) {
     this.#picture?.texture.free();
     this.#foveated?.texture.free();
     this.#foveated = null;
-    this.#large?.then((bitmap) => bitmap.close());
+    this.#large?.then((bitmap) => bitmap.close()).catch(() => {});
     this.#picture = { pixels, texture: new Texture(pixels, ...frame.pixels), frame };
     this.#large = file ? createImageBitmap(file, { imageOrientation: "from-image" }) : null;
   }
 
   /** @param {Job} job */
-  async run({ version, specs, fieldOfView, fixation, views, fine, recover }) {
+  async run(job) {
     if (!this.#picture) throw new Error("There is no picture yet.");
     const { texture, frame } = this.#picture;
+    const { version, fixation, fieldOfView, fine, recover } = job;
+    const gaze = { picture: frame, fieldOfView, fixation };
     const stack = fine ? await this.#around(fixation) : null;
     const begin = performance.now();
-    /** @param {Spec} spec @param {(cortex: RetinoCorticalMap, image: ReturnType<RetinoCorticalMap["seeing"]>, k: number) => Pixels} draw */
-    const bothOf = (spec, draw) =>
-      HEMISPHERES.map((hemisphere, k) => {
-        const cortex = cortexOf(spec, hemisphere);
-        const image = cortex.seeing({ picture: frame, fieldOfView, fixation });
-        const drawn = draw(cortex, image, k);
-        image.free();
-        cortex.free();
-        return drawn;
-      });
-    const panels = specs.map((spec) =>
-      bothOf(spec, (_, image, k) => {
-        const options = { texture: frame, view: views[k], quality: /** @type {Quality} */ (fine ? "best" : "trilinear") };
+    const looked = this.#look(job, gaze);
+    const half = largest(looked.flatMap((panel) => ("drawn" in panel ? [panel.drawn.half] : [])));
+    const views = hemisphereFrames(half, job.columns);
+    const warps = job.live ? this.#followed(job, views) : null;
+    if (job.live) texture.replace(job.live);
+    const panels = looked.map((panel, k) => {
+      const eye = this.#eyes[k];
+      if (!eye || !("drawn" in panel)) return panel;
+      const pixels = eye.images.map((image, side) => {
+        if (warps) return /** @type {Pixels} */ (warps[k][side].warp(texture));
+        const options = { texture: frame, view: views[side], quality: /** @type {Quality} */ (fine ? "best" : "trilinear") };
         return /** @type {Pixels} */ (stack ? image.warpFoveated(stack, options) : image.warp(texture, options));
-      }),
-    );
-    /** @type {Pixels | undefined} */
-    let recovered;
-    if (recover) {
-      const { dots, view } = recover;
-      bothOf(specs[0], (cortex, image) => {
-        const options = { texture: frame, cortex: cortex.frame(dots), view, ...(recovered && { out: recovered }) };
-        recovered = /** @type {Pixels} */ (image.recover(texture, options));
-        return recovered;
       });
-    }
+      return { ...panel, pixels };
+    });
+    const recovered = recover && this.#recover(texture, frame, recover);
     const warpMs = performance.now() - begin;
     /** @type {Result} */
-    const result = { version, fine, views, panels, recovered: recovered ?? null, levels: stack?.levels ?? 0, warpMs };
-    return { result, transfer: [...panels.flat(), ...(recovered ? [recovered] : [])].map(({ buffer }) => buffer) };
+    const result = { version, fine, half, size: views[0].pixels, panels, seen: linesOver(gaze), recovered, levels: stack?.levels ?? 0, warpMs };
+    const pictures = panels.flatMap((panel) => ("pixels" in panel ? panel.pixels : []));
+    return { result, transfer: [...pictures, ...(recovered ? [recovered.pixels] : [])].map(({ buffer }) => buffer) };
+  }
+
+  /** Makes the maps of the panels and what they see; one that cannot be made refuses, the others go on. @param {Job} job @param {{ picture: Frame, fieldOfView: number, fixation: Point }} gaze @returns {Panel[]} */
+  #look({ models, ...changes }, gaze) {
+    for (const image of this.#eyes.flatMap((eye) => eye?.images ?? [])) image.free();
+    this.#eyes = [];
+    return models.map((name) => {
+      const spec = specOf(name, changes);
+      const landmark = spec.kind === "outline" ? { center: spec.center, direction: spec.direction, fromFormula: Object.hasOwn(changes.landmarks, name) ? undefined : spec.fromFormula } : null;
+      try {
+        const cortex = cortexOf(spec);
+        this.#eyes.push({ cortex, images: cortex.halves.map(({ map }) => map.seeing(gaze)) });
+        return { landmark, drawn: cortex.drawn, pixels: [] };
+      } catch (error) {
+        // A trap is no refusal: the worker is of no use any more.
+        if (error instanceof WebAssembly.RuntimeError) throw error;
+        this.#eyes.push(null);
+        return { landmark, refusal: refusalOf(error) };
+      }
+    });
+  }
+
+  /** The warps of a camera's frames; they hold as long as nothing but the frame changes. @param {Job} job @param {Frame[]} views */
+  #followed({ models, shear, own, landmarks, fieldOfView, fixation }, views) {
+    const key = JSON.stringify([models, shear, own, landmarks, fieldOfView, fixation, views]);
+    if (this.#prepared?.key === key) return this.#prepared.warps;
+    for (const warp of this.#prepared?.warps.flat() ?? []) warp.free();
+    this.#prepared = null;
+    const { texture, frame } = /** @type {{ texture: Texture, frame: Frame }} */ (this.#picture);
+    const warps = this.#eyes.map((eye) => (eye?.images ?? []).map((image, side) => image.prepareWarp(texture, { texture: frame, view: views[side] })));
+    this.#prepared = { key, warps };
+    return warps;
+  }
+
+  /** What the first panel's cortex keeps of the picture. @param {Texture} texture @param {Frame} frame @param {{ dots: number, view: Frame }} recover */
+  #recover(texture, frame, { dots, view }) {
+    const [eye] = this.#eyes;
+    if (!eye) return null;
+    /** @type {Pixels | undefined} */
+    let pixels;
+    eye.images.forEach((image, k) => {
+      const options = { texture: frame, cortex: eye.cortex.halves[k].map.frame(dots), view, ...(pixels && { out: pixels }) };
+      pixels = /** @type {Pixels} */ (image.recover(texture, options));
+    });
+    return pixels ? { pixels, size: view.pixels } : null;
+  }
+
+  /** @param {Question} question */
+  answer(question) {
+    if (question.what === "outline") return parseOutline(question.text, question.scale);
+    const eye = this.#eyes[question.panel];
+    if (!eye) return null;
+    if (question.what === "picture") return question.points.map((point) => pointOf(eye.images[eye.cortex.indexAt(point)].toPicture(flatten([point]))));
+    const { map } = eye.cortex.halves[eye.cortex.indexAt(question.point)];
+    const field = map.toField(flatten([question.point]));
+    return Number.isFinite(field[0]) ? { eccentricity: Math.hypot(field[0], field[1]), magnification: map.magnification(field)[0] } : null;
   }
 
   /** The picture with full detail around the fixation point. @param {Point} fixation */
@@ -104,6 +176,63 @@ export class CortexPipeline {
     known?.texture.free();
     this.#foveated = { fixation, texture };
     return texture;
+  }
+}
+
+/** @param {import("./layout.js").Half[]} halves */
+function largest(halves) {
+  if (!halves.length) return NO_HALF;
+  return { width: Math.max(...halves.map(({ width }) => width)), height: Math.max(...halves.map(({ height }) => height)) };
+}
+
+/** @param {Float64Array} flat @returns {Point | null} */
+const pointOf = ([x, y]) => (Number.isFinite(x) ? [x, y] : null);
+
+/** Words for what keeps a panel from being drawn. @param {unknown} error */
+function refusalOf(error) {
+  const { code, message } = /** @type {{ code?: string, message: string }} */ (error);
+  if (code === "center-outside") return "The blind spot must lie inside the outline: drag it back, or undo. The picture stays as it was.";
+  if (code === "self-intersecting") return "This outline crosses or touches itself: draw or read another one, or undo. The picture stays as it was.";
+  return `${message} The picture stays as it was.`;
+}
+
+/** Any map of the field lays its lines over a picture alike: this one is a formula. @type {{ lines: Float64Array[], circles: Float64Array[], map: RetinoCorticalMap, side: number }[] | null} */
+let rulers = null;
+
+/** Lines of the field over the picture that is looked at. @param {{ picture: Frame, fieldOfView: number, fixation: Point }} gaze */
+function linesOver(gaze) {
+  rulers ??= HEMISPHERES.map(({ hemisphere, side }) => {
+    const map = RetinoCorticalMap.model({ k: POLIMENI.k, a: POLIMENI.a, hemisphere });
+    /** @param {FieldLine[]} lines */
+    const carried = (lines) => lines.map(({ field }) => map.toCortex(onSide(field, side)));
+    return { lines: carried(GRID), circles: carried(SMALL_CIRCLES), map, side };
+  });
+  const halves = rulers.map(({ lines, circles, map }) => {
+    const image = map.seeing(gaze);
+    /** @param {Float64Array[]} carried @param {FieldLine[]} named @returns {Line[]} */
+    const seen = (carried, named) => carried.map((line, k) => ({ name: named[k].name, at: finite(image.toPicture(line)) }));
+    const found = { lines: seen(lines, GRID), circles: seen(circles, SMALL_CIRCLES) };
+    image.free();
+    return found;
+  });
+  return { lines: halves.flatMap(({ lines }) => lines), circles: halves.flatMap(({ circles }) => circles) };
+}
+
+/** An outline from text. Whether it can be one at all is known before it is shown. @param {string} text @param {number} scale @returns {{ outline: Point[] } | { refusal: string }} */
+function parseOutline(text, scale) {
+  try {
+    const outline = Region.parseOutline(text, { scale });
+    const points = unflatten(outline);
+    const middle = /** @type {Point} */ ([0, 1].map((k) => points.reduce((sum, p) => sum + p[k], 0) / points.length));
+    try {
+      new Region({ boundary: outline, center: middle, toward: points[0] ?? middle }).free();
+    } catch (error) {
+      // The middle of a bent outline may lie outside: the page looks for a better one.
+      if (/** @type {{ code?: string }} */ (error).code !== "center-outside") throw error;
+    }
+    return { outline: points };
+  } catch (error) {
+    return { refusal: error instanceof Error ? error.message : String(error) };
   }
 }
 

@@ -1,19 +1,16 @@
 // Cortical magnification against eccentricity, on logarithmic axes.
 
 import { pathData, svg } from "../common/svg.js";
+import { eccentricities, HIGHEST_E, LOWEST_E } from "./plot-range.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {{ kind: string, name: string, magnification: ArrayLike<number> }} Curve its style; in mm a degree at `eccentricities` */
 
 const [WIDTH, HEIGHT, LEFT, BOTTOM, MARGIN] = [560, 330, 52, 46, 14];
-const [LOWEST_E, HIGHEST_E] = [0.1, 90];
 const [LOWEST_M, HIGHEST_M] = [0.03, 40];
 /** Lines with a number, and those without. */
 const NAMED_E = [0.1, 0.3, 1, 3, 10, 30, 90];
 const NAMED_M = [0.03, 0.1, 0.3, 1, 3, 10, 30];
-
-/** Eccentricities at which curves are drawn. */
-export const eccentricities = Array.from({ length: 120 }, (_, k) => LOWEST_E * (HIGHEST_E / LOWEST_E) ** (k / 119));
 
 /** The published curve of Horton and Hoyt (1991), in mm a degree. */
 export const hortonHoyt = eccentricities.map((e) => 17.3 / (e + 0.75));

@@ -1,6 +1,7 @@
 // The state of the page, and its address.
 
-import { photos } from "../common/photos.js";
+import { between, flag, numbers, oneOf, outline, photo, point, readAddress } from "../common/address.js";
+import { knowsPicture } from "../common/images.js";
 import { models, ownOutline } from "./models.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -43,54 +44,53 @@ const LONGEST = 200;
 export function encode(state) {
   const { image, fieldOfView, fixation, lines, circles, shear, dots, own, landmarks } = state;
   const fields = new URLSearchParams({ image, model: state.models[0], beside: state.models[1], angle: String(fieldOfView) });
-  fields.set("fixation", numbers(fixation, 4));
+  fields.set("fixation", write(fixation, 4));
   fields.set("lines", lines ? "1" : "0");
   if (circles) fields.set("circles", "1");
   if (state.models.includes("wedge")) fields.set("shear", String(shear));
   if (dots) fields.set("dots", String(dots));
-  if (own && own.boundary.length <= LONGEST) fields.set("own", numbers(own.boundary.flat(), 2));
+  if (own && own.boundary.length <= LONGEST) fields.set("own", write(own.boundary.flat(), 2));
   for (const [name, { center, direction }] of Object.entries(landmarks)) {
-    if (state.models.includes(name)) fields.set(`at-${name}`, numbers([...center, direction], 3));
+    if (state.models.includes(name)) fields.set(`at-${name}`, write([...center, direction], 3));
   }
   return fields.toString().replaceAll("%2C", ",");
 }
 
-/** @param {string} hash @returns {State} */
-export function decode(hash) {
-  const fields = new URLSearchParams(hash);
-  /** @template T @param {string} name @param {T} usual @param {(text: string) => T | null} read @returns {T} */
-  const field = (name, usual, read) => read(fields.get(name) ?? "") ?? usual;
-  /** @param {number} low @param {number} high @returns {(text: string) => number | null} */
-  const between = (low, high) => (text) => (text !== "" && Number(text) >= low && Number(text) <= high ? Number(text) : null);
-  /** @param {object} table @returns {(text: string) => string | null} */
-  const among = (table) => (text) => (text in table ? text : null);
-  const image = field("image", USUAL.image, among(photos));
-  const boundary = pairs(fields.get("own") ?? "");
-  return {
+const schema = {
+  image: photo(knowsPicture),
+  model: oneOf(models.keys()),
+  beside: oneOf(models.keys()),
+  shear: between(0.5, 1.3),
+  angle: between(5, 150),
+  fixation: point,
+  lines: flag,
+  circles: flag,
+  dots: (/** @type {string} */ text) => Number(oneOf(["0", ...DOTS.map(String)])(text)),
+  own: outline,
+};
+
+/** The state of an address; what it leaves out is as in `usual`. @param {string} hash @param {State} usual @returns {{ state: State, wrong: string[] }} */
+export function decode(hash, usual) {
+  const { values, others, wrong } = readAddress(hash, schema, (name) => (name.startsWith("at-") && models.has(name.slice(3)) ? numbers(3) : undefined));
+  const { image = usual.image, model = usual.models[0], beside = usual.models[1], shear = usual.shear, angle = usual.fieldOfView } = values;
+  const { lines = usual.lines, circles = usual.circles, dots = usual.dots, own } = values;
+  const fixation = values.fixation ?? (image === usual.image ? usual.fixation : image === USUAL.image ? USUAL.fixation : [0, 0]);
+  /** @type {[string, Landmark][]} */
+  const landmarks = [...others].map(([name, [x, y, direction]]) => [name.slice(3), { center: [x, y], direction }]);
+  const state = {
     image,
-    models: [field("model", USUAL.models[0], among(models)), field("beside", USUAL.models[1], among(models))],
-    shear: field("shear", USUAL.shear, between(0.5, 1.3)),
-    fieldOfView: field("angle", USUAL.fieldOfView, between(5, 150)),
-    fixation: pairs(fields.get("fixation") ?? "")[0] ?? (image === USUAL.image ? USUAL.fixation : [0, 0]),
-    lines: fields.get("lines") !== "0",
-    circles: fields.get("circles") === "1",
-    dots: field("dots", 0, (text) => DOTS.find((dots) => String(dots) === text) ?? null),
-    own: boundary.length > 2 ? ownOutline(boundary) : null,
-    landmarks: Object.fromEntries(
-      Object.keys(models).flatMap((name) => {
-        const [x, y, direction] = (fields.get(`at-${name}`) ?? "").split(",").map(Number);
-        return Number.isFinite(direction) ? [[name, { center: /** @type {Point} */ ([x, y]), direction }]] : [];
-      }),
-    ),
+    models: /** @type {[string, string]} */ ([model, beside]),
+    shear,
+    fieldOfView: angle,
+    fixation,
+    lines,
+    circles,
+    dots,
+    own: own ? ownOutline(own) : usual.own,
+    landmarks: { ...usual.landmarks, ...Object.fromEntries(landmarks) },
   };
+  return { state, wrong };
 }
 
 /** @param {number[]} values @param {number} digits */
-const numbers = (values, digits) => values.map((value) => String(Number(value.toFixed(digits)))).join(",");
-
-/** "x,y,x,y" → points; none if a number is missing. @param {string} text @returns {Point[]} */
-function pairs(text) {
-  const values = text === "" ? [] : text.split(",").map(Number);
-  if (values.length % 2 || !values.every(Number.isFinite)) return [];
-  return Array.from({ length: values.length / 2 }, (_, k) => [values[2 * k], values[2 * k + 1]]);
-}
+const write = (values, digits) => values.map((value) => String(Number(value.toFixed(digits)))).join(",");

@@ -1,16 +1,17 @@
 // The drawings over the panels: a photo that is looked at, and both hemispheres laid out with their foveas together.
 
-import { onGrid, scaleOf, toPixels } from "../common/frame.js";
+import { contextOf, deviceGrid, paint, paintBeside } from "../common/canvas.js";
+import { onGrid, scaleOf, toPixels, unflatten } from "../common/frame.js";
 import { match, pathData, set, svg } from "../common/svg.js";
+import { panelFrame } from "./layout.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
-/** @typedef {import("./eye.js").Line} Line */
+/** @typedef {import("../common/images.js").Picture} Picture */
+/** @typedef {import("./layout.js").Half} Half */
+/** @typedef {import("./maps.js").Line} Line */
 /** @typedef {import("./models.js").Landmark} Landmark */
-/** @typedef {{ width: number, height: number }} Half half of the size of both hemispheres, in mm */
 
-/** The panel spans a little more than both hemispheres. */
-const MARGIN = 1.06;
 /** Names of rings stand at least this far apart, in pixels. */
 const NAME_WIDTH = 26;
 /** Of the bar that shows the scale, in mm. */
@@ -53,10 +54,9 @@ class LinedView {
     this.frame = onGrid(frame, [Math.max(1, width), Math.max(1, height)]);
   }
 
-  /** The panel's frame on the screen's own pixels, or on fewer. @protected @param {number} sharpness @returns {Point} */
+  /** The panel's own pixels on the screen, or fewer. @param {number} sharpness @returns {Point} */
   grid(sharpness) {
-    const density = (window.devicePixelRatio || 1) * sharpness;
-    return [Math.max(16, Math.round(this.frame.pixels[0] * density)), Math.max(16, Math.round(this.frame.pixels[1] * density))];
+    return deviceGrid(this.frame.pixels, sharpness, 16);
   }
 }
 
@@ -71,33 +71,37 @@ export class SeenView extends LinedView {
     root.append(this.#fixation);
   }
 
-  /** @param {import("../common/images.js").Picture} picture @param {Point} fixation @param {Line[]} lines @param {Line[]} circles @param {boolean} bare whether the photo itself is to be drawn */
-  show(picture, fixation, lines, circles, bare) {
+  /** @param {Picture} picture @param {Point} fixation @param {boolean} bare whether the photo itself is to be drawn */
+  show(picture, fixation, bare) {
     this.fitTo(picture.frame);
     if (bare) this.drawPhoto(picture);
     const [x, y] = toPixels(this.frame, fixation);
     set(this.#fixation, { transform: `translate(${x} ${y})` });
-    const [w, h] = this.frame.pixels;
-    let last = x;
-    /** @type {[string, Point][]} */
-    const named = [];
-    for (const { name, picture: line } of lines) {
-      const middle = line[Math.floor(line.length / 2)];
-      if (!name || !middle) continue;
-      const [px, py] = toPixels(this.frame, middle);
-      if (px < last + NAME_WIDTH || px > w - NAME_WIDTH || py < 12 || py > h) continue;
-      last = px;
-      named.push([name, middle]);
-    }
-    this.drawLines(lines.map(({ picture: line }) => line), named, circles.map(({ picture: line }) => line));
   }
 
-  /** @param {import("../common/images.js").Picture} picture */
+  /** The lines of the field around the fixation point. @param {Point} fixation @param {Line[]} lines @param {Line[]} circles */
+  overlay(fixation, lines, circles) {
+    const points = lines.map(({ at }) => unflatten(at));
+    const [w, h] = this.frame.pixels;
+    let [last] = toPixels(this.frame, fixation);
+    /** @type {[string, Point][]} */
+    const named = [];
+    points.forEach((line, k) => {
+      const middle = line[Math.floor(line.length / 2)];
+      if (!lines[k].name || !middle) return;
+      const [x, y] = toPixels(this.frame, middle);
+      if (x < last + NAME_WIDTH || x > w - NAME_WIDTH || y < 12 || y > h) return;
+      last = x;
+      named.push([lines[k].name, middle]);
+    });
+    this.drawLines(points, named, circles.map(({ at }) => unflatten(at)));
+  }
+
+  /** @param {Picture} picture */
   drawPhoto({ canvas }) {
     const [width, height] = this.grid(1);
     Object.assign(this.#canvas, { width, height });
-    const context = this.#canvas.getContext("2d");
-    if (!context) return;
+    const context = contextOf(this.#canvas);
     context.imageSmoothingQuality = "high";
     context.drawImage(canvas, 0, 0, width, height);
   }
@@ -108,9 +112,8 @@ export class SeenView extends LinedView {
   }
 
   /** @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {Point} size */
-  paint(pixels, [width, height]) {
-    Object.assign(this.#canvas, { width, height });
-    this.#canvas.getContext("2d")?.putImageData(new ImageData(pixels, width, height), 0, 0);
+  paint(pixels, size) {
+    paint(this.#canvas, pixels, size);
   }
 }
 
@@ -137,35 +140,37 @@ export class CortexView extends LinedView {
     this.#landmark.lastElementChild?.append("blind spot");
   }
 
-  /** Width over height of the panel. @param {Half} half */
-  static aspect({ width, height }) {
-    return (2 * width * MARGIN) / (2 * height + 2 * width * (MARGIN - 1));
-  }
-
   /** @param {Half} half */
-  fit({ width }) {
-    this.fitTo({ center: [0, 0], width: 2 * width * MARGIN, pixels: [2, 1] });
+  fit(half) {
+    this.fitTo(panelFrame(half, [1, 1]));
     const [columns, rows] = this.frame.pixels;
     const length = BAR * scaleOf(this.frame);
     set(this.#bar.children[0], { d: `M${-length / 2} -4v4h${length}v-4` });
     set(this.#bar, { transform: `translate(${columns / 2} ${rows - 6})` });
   }
 
-  /** @param {Point[][]} outlines @param {Line[]} lines @param {Line[]} circles @param {Landmark | null} landmark */
-  show(outlines, lines, circles, landmark) {
-    set(this.#outlines, { d: outlines.map((line) => pathData(line.map((p) => toPixels(this.frame, p)), true)).join("") });
+  /** @param {Float64Array} outline of the left hemisphere @param {Line[]} lines @param {Line[]} circles */
+  show(outline, lines, circles) {
+    const left = unflatten(outline);
+    const right = left.map(([x, y]) => /** @type {Point} */ ([-x, y]));
+    set(this.#outlines, { d: [left, right].map((line) => pathData(line.map((p) => toPixels(this.frame, p)), true)).join("") });
+    const points = lines.map(({ at }) => unflatten(at));
     /** @type {[string, Point][]} */
     const named = [];
     let last = Infinity;
-    for (const { name, cortex } of lines) {
-      const middle = cortex[Math.floor(cortex.length / 2)];
-      if (!name || !middle) continue;
+    points.forEach((line, k) => {
+      const middle = line[Math.floor(line.length / 2)];
+      if (!lines[k].name || !middle) return;
       const [x] = toPixels(this.frame, middle);
-      if (Math.abs(x - last) < NAME_WIDTH) continue;
+      if (Math.abs(x - last) < NAME_WIDTH) return;
       last = x;
-      named.push([name, middle]);
-    }
-    this.drawLines(lines.map(({ cortex }) => cortex), named, circles.map(({ cortex }) => cortex));
+      named.push([lines[k].name, middle]);
+    });
+    this.drawLines(points, named, circles.map(({ at }) => unflatten(at)));
+  }
+
+  /** Where the blind spot is, and which way the meridian runs there, if that can be chosen. @param {Landmark | null} landmark */
+  mark(landmark) {
     set(this.#landmark, { visibility: landmark ? "visible" : "hidden" });
     if (landmark) this.#showLandmark(landmark);
   }
@@ -181,24 +186,9 @@ export class CortexView extends LinedView {
     set(name, { x: x - 10, y: y + 22 });
   }
 
-  /** The frames of the two halves. @param {number} sharpness 1 for the screen's own pixels @returns {Frame[]} */
-  views(sharpness) {
-    const [width, height] = this.grid(sharpness);
-    const half = Math.round(width / 2);
-    const quarter = this.frame.width / 4;
-    return [-quarter, quarter].map((x) => ({
-      center: /** @type {Point} */ ([x, 0]),
-      width: 2 * quarter,
-      pixels: /** @type {Point} */ ([half, height]),
-    }));
-  }
-
-  /** @param {Uint8ClampedArray<ArrayBuffer>[]} pixels @param {Frame[]} views of the two halves */
-  paint(pixels, views) {
-    const [width, height] = views[0].pixels;
-    Object.assign(this.#canvas, { width: 2 * width, height });
-    const context = this.#canvas.getContext("2d");
-    pixels.forEach((half, k) => context?.putImageData(new ImageData(half, width, height), k * width, 0));
+  /** @param {Uint8ClampedArray<ArrayBuffer>[]} pixels of the two hemispheres @param {Point} size of each */
+  paint(pixels, size) {
+    paintBeside(this.#canvas, pixels, size);
   }
 
   get canvas() {

@@ -1,119 +1,139 @@
 // The page: connects the state, the two panels, the solver and the controls.
 
-import { Controls } from "./controls.js";
-import { DiskView } from "./disk-view.js";
-import { Pen } from "../editor/pen.js";
-import { Editor } from "../editor/edit.js";
-import { failureWords, readingWords, rows } from "../editor/evidence.js";
+import { readAddress, wrongWords } from "../common/address.js";
 import { acceptFiles } from "../common/files.js";
 import { flatten } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
-import { element, mark, say, sayBroken, saveCanvas, showEvidence, showProgress } from "../common/page.js";
-import { photos } from "../common/photos.js";
+import { attempt, element, pictureFor, remark, saveCanvas, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
 import { Probe } from "../common/probe.js";
 import { Scheduler } from "../common/scheduler.js";
-import { outcomeOf } from "./outcome.js";
+import { documentOf } from "../editor/document.js";
+import { Editor } from "../editor/edit.js";
+import { failureWords, probeWords, rows } from "../editor/evidence.js";
+import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
-import { photoRegion, shapeRegion, shapes } from "../editor/presets.js";
-import { towardPoint } from "../editor/region.js";
+import { defaultRegion, photoRegion, shapeRegion } from "../editor/presets.js";
+import { makeRegion, towardPoint } from "../editor/region.js";
 import { Store } from "../editor/store.js";
+import { drawingSchema, encodeDrawing, shownSchema } from "../editor/url.js";
+import { Controls } from "./controls.js";
+import { DiskView } from "./disk-view.js";
+import { Outcome } from "./outcome.js";
 import { Traveller, upright } from "./travel.js";
-import { decode, encode } from "../editor/url.js";
 
 /** @typedef {import("../common/images.js").Picture} Picture */
-/** @typedef {import("./outcome.js").Outcome} Outcome */
+/** @typedef {import("../editor/store.js").Document} Document */
 
 const FIRST_PHOTO = "astronaut";
 /** How dark the photo is outside the region. */
 const DIM = 0.42;
 
+watchErrors();
 /** @type {Picture} */
 let picture;
 /** The last good picture of the disk. @type {Outcome | null} */
 let outcome = null;
+/** Whether an address is being followed: what could not be read of it is left there. */
+let visiting = false;
 
 const photoView = new PhotoView(element("photo"), element("photo-marks"));
 const diskView = new DiskView(element("disk"), element("disk-lines"), element("disk-marks"));
 /** @type {Scheduler<import("./pipeline.js").Job, import("./pipeline.js").Result>} */
-const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), { onResult, onFailure, onProgress: showProgress, onBroken: sayBroken });
+const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), { ...statusOfPage, onResult, failureWords });
 
-const address = decode(location.hash);
-const store = new Store({ image: FIRST_PHOTO, region: photoRegion(FIRST_PHOTO) }, address.shown ?? { mesh: false, grid: false });
+const store = new Store({ image: FIRST_PHOTO, region: photoRegion(FIRST_PHOTO) }, { mesh: false, grid: false });
 const editor = new Editor(store, photoView);
-const pen = new Pen(store, photoView);
+const pen = new Pen({
+  view: photoView,
+  isActive: () => store.mode === "draw",
+  onMode: (drawing) => store.setMode(drawing ? "draw" : "edit"),
+  onOutline: (outline) => store.commit({ region: makeRegion(outline) }),
+});
 const locator = () => outcome?.locator ?? null;
 new Traveller(store, diskView, locator);
 const probe = new Probe(photoView, diskView, locator, (reading) => {
-  element("reading").textContent = readingWords(reading);
+  element("reading").textContent = probeWords(reading);
 });
 
 const controls = new Controls(store, {
   draw: () => (store.mode === "draw" ? pen.cancel() : pen.begin()),
   remove: () => editor.removeSelected(),
-  reset: () => store.commit({ region: defaultRegion(store.doc.image) }),
+  reset: () => replaceRegion(defaultRegion(picture)),
   photo: (id) => openPicture(loadPicture(id)),
-  shape: (name) => store.commit({ region: shapeRegion(name, ...picture.frame.pixels) }),
+  shape: (name) => replaceRegion(shapeRegion(name, picture.frame.pixels)),
   upright: () => {
     const region = outcome && upright(store.doc.region, outcome.locator);
     if (region) store.commit({ region });
   },
   save: () => saveCanvas(element("disk"), "disk.png"),
+  stop: () => scheduler.stop(),
 });
 
 await start();
 
 async function start() {
-  store.begin(await documentAt(address));
+  const { doc, shown, wrong } = await read(location.hash);
+  store.begin(doc);
+  store.shown = shown;
   store.subscribe(onChange);
   acceptFiles(element("file"), element("photo-stage"), (file) => openPicture(addPicture(file)));
-  window.addEventListener("hashchange", () => visit(decode(location.hash)));
-  new ResizeObserver(() => onResize()).observe(element("panels"));
-  onChange("commit");
+  window.addEventListener("hashchange", visit);
+  new ResizeObserver(onResize).observe(element("panels"));
+  refresh(true, false);
+  if (!wrong.length) remember();
 }
 
-/** Goes to another address. @param {import("../editor/url.js").Address} to */
-async function visit(to) {
-  const doc = await documentAt(to);
-  if (to.shown) store.show(to.shown);
-  store.commit(doc);
+/** Goes to another address: what it says, and the rest as it is. */
+async function visit() {
+  const { doc, shown, wrong } = await read(location.hash);
+  pen.cancel();
+  visiting = true;
+  store.show(shown);
+  if (doc.image !== store.doc.image || doc.region !== store.doc.region) store.commit(doc);
+  visiting = false;
+  if (!wrong.length) remember();
 }
 
-/** The document of an address; its picture is loaded. @param {import("../editor/url.js").Address} address */
-async function documentAt({ image, shape, region }) {
-  const id = image && (image in photos || image === store.doc.image) ? image : store.doc.image;
-  picture = await loadPicture(id);
-  const size = picture.frame.pixels;
-  const wanted = region ?? (shape && shape in shapes ? shapeRegion(shape, ...size) : defaultRegion(id));
-  return { image: id, region: wanted };
-}
-
-/** @param {string} id */
-function defaultRegion(id) {
-  return id in photos ? photoRegion(id) : shapeRegion("ellipse", ...picture.frame.pixels);
+/** The state that an address asks for; its picture is loaded, and what is wrong with it is said. @param {string} hash */
+async function read(hash) {
+  const { values, wrong } = readAddress(hash, { ...drawingSchema, ...shownSchema });
+  const { show, ...fields } = values;
+  remark(wrongWords(wrong));
+  picture = await pictureFor(fields.image ?? store.doc.image);
+  const doc = documentOf(fields, store.doc, () => picture.frame);
+  const told = show ?? (fields.region ? [] : null);
+  const shown = told ? { mesh: told.includes("mesh"), grid: told.includes("grid") } : store.shown;
+  return { doc, shown, wrong };
 }
 
 /** @param {Promise<Picture>} loading */
-async function openPicture(loading) {
-  try {
-    picture = await loading;
-    store.commit({ image: picture.id, region: defaultRegion(picture.id) });
-  } catch (error) {
-    say(error instanceof Error ? error.message : String(error), "invalid");
-  }
+function openPicture(loading) {
+  return attempt(loading, (loaded) => {
+    pen.cancel();
+    picture = loaded;
+    store.commit({ image: picture.id, region: defaultRegion(picture) });
+  });
 }
 
-/** @param {import("../editor/store.js").Change} change */
+/** A drawing that is under way ends there. @param {import("../editor/region.js").Region} region */
+function replaceRegion(region) {
+  pen.cancel();
+  store.commit({ region });
+}
+
+/** @param {import("../common/history.js").Change} change */
 async function onChange(change) {
-  if (picture.id !== store.doc.image) picture = await loadPicture(store.doc.image);
-  const solving = change === "drag" || change === "commit";
+  if (picture.id !== store.doc.image) picture = await pictureFor(store.doc.image);
+  refresh(change === "drag" || change === "commit", change === "drag");
+  if (change !== "drag" && change !== "mode" && !visiting) remember();
+}
+
+/** Draws the page, and computes it anew if asked to. @param {boolean} solving @param {boolean} dragging */
+function refresh(solving, dragging) {
   if (solving) probe.hide();
   layOut();
   draw();
-  if (solving) {
-    if (document.body.dataset.state !== "loading") mark("working");
-    solve(change === "drag");
-  }
-  if (change !== "drag" && change !== "mode") remember();
+  if (solving) solve(dragging);
 }
 
 /** @param {boolean} dragging */
@@ -142,7 +162,7 @@ function draw() {
     lines: grid && outcome ? outcome.grid : undefined,
   });
   diskView.draw(store.shown, outcome, store.doc.region.boundary[store.selected ?? -1]);
-  controls.update(picture.title);
+  controls.update(picture);
 }
 
 /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -155,20 +175,17 @@ function onResize() {
   resizing = setTimeout(() => solve(false), 150);
 }
 
+/** The state, in the address. */
 function remember() {
-  history.replaceState(null, "", `#${encode(store.doc, store.shown)}`);
+  const { mesh, grid } = store.shown;
+  const layers = [...(mesh ? ["mesh"] : []), ...(grid ? ["grid"] : [])];
+  history.replaceState(null, "", `#${encodeDrawing(store.doc)}${layers.length ? `&show=${layers.join(",")}` : ""}`);
 }
 
 /** @param {import("./pipeline.js").Result} result @param {boolean} done */
 function onResult(result, done) {
-  outcome = outcomeOf(result);
+  outcome = new Outcome(result);
   diskView.paint(result);
   draw();
-  say("", done ? "ready" : "draft");
   if (done) showEvidence(rows(result.evidence));
-}
-
-/** @param {import("../common/serve.js").Failure} failure */
-function onFailure(failure) {
-  say(failureWords(failure, outcome !== null), "invalid");
 }

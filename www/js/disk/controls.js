@@ -1,8 +1,11 @@
 // The buttons, menus and keys around the panels.
 
-import { photos } from "../common/photos.js";
+import { onUndoKeys } from "../common/keys.js";
+import { press } from "../common/page.js";
+import { PhotoChoice } from "../common/photo-choice.js";
 import { shapes } from "../editor/presets.js";
 
+/** @typedef {import("../common/images.js").Picture} Picture */
 /** @typedef {import("../editor/store.js").Store} Store */
 /**
  * @typedef {object} Actions
@@ -11,6 +14,7 @@ import { shapes } from "../editor/presets.js";
  * @property {() => void} reset
  * @property {() => void} upright
  * @property {() => void} save
+ * @property {() => void} stop
  * @property {(id: string) => void} photo
  * @property {(name: string) => void} shape
  */
@@ -18,22 +22,21 @@ import { shapes } from "../editor/presets.js";
 /** @template {HTMLElement} E @param {string} id @returns {E} */
 const find = (id) => /** @type {E} */ (document.getElementById(id));
 
+/** @template {string} N @param {N[]} names */
+const findAll = (...names) => /** @type {Record<N, HTMLButtonElement>} */ (Object.fromEntries(names.map((name) => [name, find(name)])));
+
 export class Controls {
   #store;
-  /** @type {HTMLSelectElement} */ #photo = find("choose-photo");
+  #photo;
   /** @type {HTMLSelectElement} */ #shape = find("choose-shape");
-  /** @type {Record<string, HTMLButtonElement>} */
-  #buttons = Object.fromEntries(
-    ["draw", "remove", "undo", "redo", "reset", "mesh", "grid", "upright", "save", "open"].map((name) => [name, find(name)]),
-  );
+  #buttons = findAll("draw", "remove", "undo", "redo", "reset", "mesh", "grid", "upright", "save", "open", "stop");
 
   /** @param {Store} store @param {Actions} actions */
   constructor(store, actions) {
     this.#store = store;
-    const { draw, remove, undo, redo, reset, mesh, grid, upright, save, open } = this.#buttons;
-    this.#photo.append(...Object.entries(photos).map(([id, { title }]) => new Option(title, id)));
-    this.#shape.append(...Object.entries(shapes).map(([name, { title }]) => new Option(title, name)));
-    this.#photo.onchange = () => actions.photo(this.#photo.value);
+    const { draw, remove, undo, redo, reset, mesh, grid, upright, save, open, stop } = this.#buttons;
+    this.#photo = new PhotoChoice(find("choose-photo"), actions.photo);
+    this.#shape.append(...[...shapes].map(([name, { title }]) => new Option(title, name)));
     this.#shape.onchange = () => {
       actions.shape(this.#shape.value);
       this.#shape.value = "";
@@ -43,36 +46,29 @@ export class Controls {
     reset.onclick = actions.reset;
     upright.onclick = actions.upright;
     save.onclick = actions.save;
+    stop.onclick = actions.stop;
     undo.onclick = () => store.undo();
     redo.onclick = () => store.redo();
     mesh.onclick = () => store.show({ mesh: !store.shown.mesh });
     grid.onclick = () => store.show({ grid: !store.shown.grid });
     open.onclick = () => find("file").click();
-    window.addEventListener("keydown", (event) => this.#key(event));
+    onUndoKeys(
+      () => store.undo(),
+      () => store.redo(),
+    );
   }
 
-  /** Shows the state. @param {string} title of the picture */
-  update(title) {
+  /** Shows the state. @param {Picture} picture */
+  update(picture) {
     const { doc, mode, selected, shown, canUndo, canRedo } = this.#store;
-    const { draw, remove, undo, redo, mesh, grid } = this.#buttons;
+    const { remove, undo, redo } = this.#buttons;
     undo.disabled = !canUndo;
     redo.disabled = !canRedo;
     remove.disabled = selected === null || doc.region.boundary.length <= 3 || mode === "draw";
-    draw.setAttribute("aria-pressed", String(mode === "draw"));
-    mesh.setAttribute("aria-pressed", String(shown.mesh));
-    grid.setAttribute("aria-pressed", String(shown.grid));
-    if (![...this.#photo.options].some(({ value }) => value === doc.image)) this.#photo.append(new Option(title, doc.image));
-    this.#photo.value = doc.image;
+    press("draw", mode === "draw");
+    press("mesh", shown.mesh);
+    press("grid", shown.grid);
+    this.#photo.show(picture);
     document.body.dataset.mode = mode;
-  }
-
-  /** @param {KeyboardEvent} event */
-  #key(event) {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-    const key = event.key.toLowerCase();
-    if (key === "z" && !event.shiftKey) this.#store.undo();
-    else if (key === "y" || key === "z") this.#store.redo();
-    else return;
-    event.preventDefault();
   }
 }

@@ -1,7 +1,8 @@
 // The right panel: the warped picture on the unit disk, its rim, the images of the corners and of the inward vector.
 
+import { deviceGrid, Layer, paint } from "../common/canvas.js";
 import { diskFrame, scaleOf, toPixels } from "../common/frame.js";
-import { Layer, drawMesh, drawPolarGrid } from "../editor/overlay.js";
+import { drawMesh, drawPolarGrid } from "../editor/overlay.js";
 import { RAYS, RINGS } from "./polar.js";
 import { match, set, svg } from "../common/svg.js";
 import { markVector, updateVector } from "../editor/vector.js";
@@ -39,15 +40,12 @@ export class DiskView {
 
   /** The frame to render in. @param {number} sharpness 1 for the screen's own pixels */
   view(sharpness) {
-    const side = Math.round(this.frame.pixels[0] * (window.devicePixelRatio || 1) * sharpness);
-    return diskFrame(Math.min(1600, Math.max(64, side)));
+    return diskFrame(deviceGrid(this.frame.pixels, sharpness, 64)[0]);
   }
 
   /** @param {import("./pipeline.js").Result} result */
-  paint({ pixels, view: { pixels: [width, height] } }) {
-    this.#canvas.width = width;
-    this.#canvas.height = height;
-    this.#canvas.getContext("2d")?.putImageData(new ImageData(pixels, width, height), 0, 0);
+  paint({ pixels, view }) {
+    paint(this.#canvas, pixels, view.pixels);
   }
 
   /** @param {Shown} shown @param {Outcome | null} outcome @param {Point | undefined} selected the corner to mark */

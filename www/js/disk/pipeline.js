@@ -9,6 +9,7 @@ import { SolvedMap } from "../editor/solved-map.js";
 /**
  * @typedef {object} Job
  * @property {number} version which state of the page this is for
+ * @property {boolean} fine
  * @property {Float64Array} boundary
  * @property {Point} center
  * @property {Point} toward
@@ -29,7 +30,6 @@ import { SolvedMap } from "../editor/solved-map.js";
  * @property {Evidence} evidence
  */
 
-/** @typedef {import("../common/serve.js").Progress} Progress */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
 /** @implements {Pipeline<Job, Result>} */
 export class RegionPipeline {
@@ -45,11 +45,11 @@ export class RegionPipeline {
     this.#picture = { texture: new Texture(pixels, ...frame.pixels), frame };
   }
 
-  /** @param {Job} job @param {Progress} onProgress */
-  run(job, onProgress) {
+  /** @param {Job} job @param {import("../common/serve.js").Talk<Result>} talk */
+  run(job, { progress }) {
     if (!this.#picture) throw new Error("There is no picture yet.");
     const { texture, frame } = this.#picture;
-    const { map, corners, ms: solveMs } = this.#solved.solve(job, job.tolerance, onProgress);
+    const { map, corners, ms: solveMs } = this.#solved.solve(job, job.tolerance, progress);
     const { mesh, ms: meshMs } = this.#mesh(job, map);
     const begin = performance.now();
     const pixels = mesh.warp(texture, { texture: frame, view: job.view, direction: "push-forward", quality: "trilinear" });

@@ -28,7 +28,7 @@ function line(locator, steps, at) {
   for (let k = 0; k <= steps; k++) {
     const [radius, turns] = at(k / steps);
     const [cos, sin] = [Math.cos(2 * Math.PI * turns), Math.sin(2 * Math.PI * turns)];
-    const point = locator.carry("target", [radius * cos, radius * sin]);
+    const point = locator.at("target", [radius * cos, radius * sin]);
     if (point) points.push(point);
   }
   return points;

@@ -1,8 +1,9 @@
 // Dragging the disk: its picture follows the pointer by a Möbius map of the disk, that is, by another inward vector.
 
 import { toPlane } from "../common/frame.js";
-import { moveCenter, moveToward } from "../editor/region.js";
+import { onEscape } from "../common/keys.js";
 import { pixelOf } from "../common/svg.js";
+import { moveCenter, moveToward } from "../editor/region.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../editor/region.js").Region} Region */
@@ -28,7 +29,7 @@ export class Traveller {
     root.addEventListener("pointerdown", (event) => {
       const from = this.#point(event);
       const held = locator();
-      if (event.button !== 0 || !held || document.body.dataset.state !== "ready" || Math.hypot(...from) > FARTHEST) return;
+      if (event.button !== 0 || this.#hold || !held || Math.hypot(...from) > FARTHEST) return;
       event.preventDefault();
       root.setPointerCapture(event.pointerId);
       this.#hold = { pointer: event.pointerId, from, region: store.doc.region, locator: held };
@@ -41,12 +42,21 @@ export class Traveller {
     });
     for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
       root.addEventListener(end, (event) => {
-        if (this.#hold?.pointer !== event.pointerId) return;
-        this.#hold = null;
-        root.classList.remove("held");
-        store.drop();
+        if (this.#hold?.pointer === event.pointerId) this.#end(() => store.drop());
       });
     }
+    onEscape(() => {
+      if (!this.#hold) return false;
+      this.#end(() => store.giveUp());
+      return true;
+    });
+  }
+
+  /** @param {() => void} settle what becomes of the drag */
+  #end(settle) {
+    this.#hold = null;
+    this.#view.root.classList.remove("held");
+    settle();
   }
 
   /** @param {PointerEvent} event */
@@ -69,7 +79,7 @@ export function travelled({ from, region, locator }, to) {
   const [dx, dy] = [u - from[0], v - from[1]];
   const scale = 1 / (1 - cx * cx - cy * cy);
   const a = [(dx + cx * dx + cy * dy) * scale, (dy + cy * dx - cx * dy) * scale];
-  const center = locator.carry("target", [-a[0], -a[1]]);
+  const center = locator.at("target", [-a[0], -a[1]]);
   const toward = rimPoint(locator, 2 * Math.atan2(-a[1], 1 - a[0]));
   return center && toward && moveToward(moveCenter(region, center), toward);
 }
@@ -77,7 +87,7 @@ export function travelled({ from, region, locator }, to) {
 /** The region's boundary, nearly, at an angle of the circle. @param {Locator} locator @param {number} angle @returns {Point | null} */
 export function rimPoint(locator, angle) {
   for (const radius of RIMS) {
-    const found = locator.carry("target", [radius * Math.cos(angle), radius * Math.sin(angle)]);
+    const found = locator.at("target", [radius * Math.cos(angle), radius * Math.sin(angle)]);
     if (found) return found;
   }
   return null;
@@ -88,7 +98,7 @@ export function rimPoint(locator, angle) {
  * @param {Region} region @param {Locator} locator of its map @returns {Region | null}
  */
 export function upright(region, locator) {
-  const [a, b] = [locator.carry("target", [-STEP, 0]), locator.carry("target", [STEP, 0])];
+  const [a, b] = [locator.at("target", [-STEP, 0]), locator.at("target", [STEP, 0])];
   if (!a || !b) return null;
   // What the disk shows from left to right lies in this direction on the photo: turn it back.
   const angle = Math.atan2(b[1] - a[1], b[0] - a[0]);

@@ -1,8 +1,9 @@
 // Editing the region with pointer and keyboard: points, edges, the ends of the vector, the whole.
 
 import { toPixels, toPlane } from "../common/frame.js";
-import { insertVertex, moveCenter, moveToward, moveVertex, removeVertex, towardPoint, translate } from "./region.js";
+import { onEscape } from "../common/keys.js";
 import { pixelOf } from "../common/svg.js";
+import { insertVertex, moveCenter, moveToward, moveVertex, removeVertex, towardPoint, translate } from "./region.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./region.js").Region} Region */
@@ -42,11 +43,15 @@ export class Editor {
       const { part, index } = partOf(event.target);
       if (part === "vertex") this.#store.select(index);
     });
+    onEscape(() => this.#cancel());
   }
 
-  /** Whether a part is being dragged. */
-  get dragging() {
-    return this.#drag !== null;
+  /** Gives a drag up: the region is as before. */
+  #cancel() {
+    if (!this.#drag) return false;
+    this.#drag = null;
+    this.#store.giveUp();
+    return true;
   }
 
   /** Removes the selected point. */

@@ -1,5 +1,7 @@
 // What was computed and how well, in plain words.
 
+import { readingWords } from "../common/probe.js";
+
 /** Of a picture made through a mesh. @typedef {{ errorEstimate: number, unknowns: number, nodes: number, triangles: number, flipped: number, solveMs: number, meshMs: number, warpMs: number }} PairEvidence */
 /** @typedef {PairEvidence & { conformalRadius: number }} DiskEvidence */
 
@@ -43,11 +45,13 @@ export function pairRows({ errorEstimate, unknowns, nodes, triangles, flipped, s
   return [
     ["Estimated error", power(errorEstimate), "the larger of the two maps to the disk of radius 1"],
     ["Unknowns", whole(unknowns), `for both regions, in ${time(solveMs)}`],
-    trianglesRow(triangles, nodes, meshMs),
-    flippedRow(flipped),
+    ...(triangles ? [trianglesRow(triangles, nodes, meshMs), flippedRow(flipped)] : [POINT_BY_POINT]),
     pictureRow(warpMs),
   ];
 }
+
+/** @type {[string, string, string]} */
+const POINT_BY_POINT = ["Triangles", "none", "these maps crowd a mesh too closely: the picture is drawn point by point, by both maps themselves"];
 
 /** @param {number} triangles @param {number} nodes @param {number} ms @returns {[string, string, string]} */
 const trianglesRow = (triangles, nodes, ms) => ["Triangles", whole(triangles), `over ${whole(nodes)} points, made in ${time(ms)}`];
@@ -60,25 +64,25 @@ function flippedRow(flipped) {
 /** @param {number} ms @returns {[string, string, string]} */
 const pictureRow = (ms) => ["Picture", time(ms), "to draw, filtered so that nothing flickers"];
 
-/** What the map does under the pointer. @param {import("../common/probe.js").Reading | null} reading */
-export function readingWords(reading) {
-  if (!reading) return "Point at either picture: the little circle stays a circle, and its cross stays square.";
-  const { stretch, turn } = reading;
-  const size = stretch >= 1 ? `enlarged ${stretch.toFixed(1)} times` : `shrunk ${(1 / stretch).toFixed(1)} times`;
-  const angle = Math.round(Math.abs(turn));
-  const way = turn > 0 ? "to the left" : "to the right";
-  return `Here the photo is ${size} and turned ${angle}°${angle ? ` ${way}` : ""}.`;
+/** What the pointer sees. @param {import("../common/probe.js").Reading | null} reading */
+export function probeWords(reading) {
+  return reading ? readingWords(reading, "photo") : "Point at either picture: the little circle stays a circle, and its cross stays square.";
 }
 
-/** What to do about an error, by its code. @type {Record<string, string>} */
-const REMEDIES = {
-  "self-intersecting": "Drag a point until the red edges no longer cross.",
-  "center-outside": "Drag the round end of the vector back inside the outline.",
-  "too-few-vertices": "Add a point, or draw a new region.",
-  crashed: "The computation broke down; change the region a little.",
-};
+/** What is wrong and what to do, by the error's code. @type {Map<string, string>} */
+const WORDS = new Map([
+  ["self-intersecting", "These two red edges cross or touch. Drag a point until they no longer do, or undo."],
+  ["center-outside", "The round end of the vector lies outside the outline. Drag it back inside."],
+  ["too-few-vertices", "Fewer than three corners are apart from each other. Drag them apart, or draw a new region."],
+  ["negative-mass", "No trustworthy map was found: part of the outline is too far out of the centre’s sight. Drag the round end of the vector nearer to it, or make the narrow places wider."],
+  ["crowded", "Parts of the outline are too far out of the centre’s sight for a mesh. Drag the round end of the vector nearer to them."],
+  ["crashed", "The computation broke down and was started anew. Change the region a little."],
+]);
 
-/** @param {import("../common/serve.js").Failure} failure @param {boolean} kept whether an earlier picture is still shown */
-export function failureWords({ code, message }, kept) {
-  return [message, REMEDIES[code] ?? "", kept ? "The picture stays as it was until then." : ""].join(" ");
+/** What is shown meanwhile. */
+const KEPT = { draft: "The picture is a coarse one.", older: "The picture stays as it was until then.", nothing: "" };
+
+/** @param {import("../common/serve.js").Failure} failure @param {keyof typeof KEPT} shown */
+export function failureWords({ code, message }, shown) {
+  return [WORDS.get(code) ?? message, KEPT[shown]].join(" ").trim();
 }

@@ -23,19 +23,18 @@ export function area(polygon) {
 }
 
 /** The boundary point nearest to p. @param {Point[]} polygon @param {Point} p @returns {EdgePoint} */
-export function nearestOnBoundary(polygon, p) {
-  /** @type {EdgePoint} */
-  let best = { edge: 0, t: 0, point: polygon[0], distance: Infinity };
-  polygon.forEach((a, edge) => {
-    const b = polygon[(edge + 1) % polygon.length];
+export function nearestOnBoundary(polygon, [x, y]) {
+  let [edge, share, least] = [0, 0, Infinity];
+  for (let k = 0; k < polygon.length; k++) {
+    const a = polygon[k];
+    const b = polygon[(k + 1) % polygon.length];
     const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
     const length2 = dx * dx + dy * dy;
-    const t = length2 ? Math.min(1, Math.max(0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length2)) : 0;
-    const point = mix(a, b, t);
-    const d = distance(point, p);
-    if (d < best.distance) best = { edge, t, point, distance: d };
-  });
-  return best;
+    const t = length2 ? Math.min(1, Math.max(0, ((x - a[0]) * dx + (y - a[1]) * dy) / length2)) : 0;
+    const d = Math.hypot(a[0] + dx * t - x, a[1] + dy * t - y);
+    if (d < least) [edge, share, least] = [k, t, d];
+  }
+  return { edge, t: share, point: mix(polygon[edge], polygon[(edge + 1) % polygon.length], share), distance: least };
 }
 
 /** Whether p lies inside, by crossings of a ray. @param {Point[]} polygon @param {Point} p */
@@ -59,36 +58,106 @@ export function crossingEdges(polygon) {
   const n = polygon.length;
   /** @type {Set<number>} */
   const bad = new Set();
-  for (let i = 0; i < n; i++) {
-    for (let j = i + 2; j < n; j++) {
-      if (i === 0 && j === n - 1) continue;
-      if (meet(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n])) bad.add(i).add(j);
+  for (const edges of cellsOf(polygon)) {
+    for (let a = 0; a < edges.length; a++) {
+      for (let b = a + 1; b < edges.length; b++) {
+        const [i, j] = [edges[a], edges[b]];
+        if (j - i < 2 || (i === 0 && j === n - 1)) continue;
+        if (meet(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n])) bad.add(i).add(j);
+      }
     }
   }
   return bad;
 }
 
+/** A grid over the polygon, about as many cells as edges: for each cell the edges that may pass it, in order. @param {Point[]} polygon @returns {Iterable<number[]>} */
+function cellsOf(polygon) {
+  const n = polygon.length;
+  const { left, low, right, high } = boxOf(polygon);
+  const side = Math.max(1, Math.ceil(Math.sqrt(n)));
+  /** @param {number} value @param {number} from @param {number} to */
+  const index = (value, from, to) => Math.min(side - 1, Math.max(0, Math.floor(((value - from) / (to - from || 1)) * side)));
+  /** @type {Map<number, number[]>} */
+  const cells = new Map();
+  polygon.forEach((a, k) => {
+    const b = polygon[(k + 1) % n];
+    const [first, last] = a[0] <= b[0] ? [a, b] : [b, a];
+    const end = index(last[0], left, right);
+    for (let column = index(first[0], left, right); column <= end; column++) {
+      // The edge's own heights within the column, and a little more for rounding.
+      const [x0, x1] = [0, 1].map((step) => left + ((column + step) / side) * (right - left));
+      const [y0, y1] = [heightAt(first, last, x0), heightAt(first, last, x1)];
+      const slack = 1e-9 * (high - low);
+      const top = index(Math.max(y0, y1) + slack, low, high);
+      for (let row = index(Math.min(y0, y1) - slack, low, high); row <= top; row++) {
+        const cell = column + side * row;
+        const known = cells.get(cell);
+        if (known) known.push(k);
+        else cells.set(cell, [k]);
+      }
+    }
+  });
+  return cells.values();
+}
+
+/** The height of a segment at x, or of its end nearest to it. @param {Point} a @param {Point} b to the right of a @param {number} x */
+function heightAt(a, b, x) {
+  if (x <= a[0]) return a[1];
+  return x >= b[0] ? b[1] : a[1] + ((x - a[0]) / (b[0] - a[0])) * (b[1] - a[1]);
+}
+
+/** @param {Point[]} points */
+function boxOf(points) {
+  let [left, low, right, high] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const [x, y] of points) {
+    [left, right] = [Math.min(left, x), Math.max(right, x)];
+    [low, high] = [Math.min(low, y), Math.max(high, y)];
+  }
+  return { left, low, right, high };
+}
+
 /** How much nearness to the corners counts beside depth: it decides between points of a band, all equally deep. */
 const MIDDLE = 0.1;
+/** Lines of the grid that is looked at; corners that say where the middle is; points times edges that are looked at. */
+const STEPS = 40;
+const CORNERS = 100;
+const EFFORT = 2e6;
 
 /**
  * A point well inside: on a grid, one far from the boundary and in the middle of it.
  * @param {Point[]} polygon @returns {Point}
  */
 export function deepPoint(polygon) {
-  const xs = polygon.map((p) => p[0]);
-  const ys = polygon.map((p) => p[1]);
-  const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-  const steps = 40;
-  let best = { point: polygon[0], score: -Infinity };
+  const { left, low, right, high } = boxOf(polygon);
+  const steps = Math.max(8, Math.min(STEPS, Math.floor(Math.sqrt(EFFORT / polygon.length))));
+  const every = Math.ceil(polygon.length / CORNERS);
+  const corners = polygon.filter((_, k) => k % every === 0);
+  let best = { point: between(polygon), score: -Infinity };
   for (let i = 1; i < steps; i++) {
     for (let j = 1; j < steps; j++) {
       /** @type {Point} */
       const point = [left + ((right - left) * i) / steps, low + ((high - low) * j) / steps];
       if (!contains(polygon, point)) continue;
-      const away = polygon.reduce((sum, corner) => sum + distance(corner, point), 0) / polygon.length;
+      const away = corners.reduce((sum, corner) => sum + distance(corner, point), 0) / corners.length;
       const score = nearestOnBoundary(polygon, point).distance - MIDDLE * away;
       if (score > best.score) best = { point, score };
+    }
+  }
+  return best.point;
+}
+
+/** A point inside where no grid finds one: half way along a level line, between two edges. @param {Point[]} polygon @returns {Point} */
+function between(polygon) {
+  const { low, high } = boxOf(polygon);
+  let best = { point: polygon[0], width: 0 };
+  for (let k = 1; k < STEPS; k++) {
+    const y = low + ((high - low) * (k + 0.5 / STEPS)) / STEPS;
+    const xs = polygon.flatMap((a, e) => {
+      const b = polygon[(e + 1) % polygon.length];
+      return a[1] > y === b[1] > y ? [] : [a[0] + ((y - a[1]) / (b[1] - a[1])) * (b[0] - a[0])];
+    }).sort((p, q) => p - q);
+    for (let e = 0; e + 1 < xs.length; e += 2) {
+      if (xs[e + 1] - xs[e] > best.width) best = { point: [(xs[e] + xs[e + 1]) / 2, y], width: xs[e + 1] - xs[e] };
     }
   }
   return best.point;

@@ -63,8 +63,13 @@ export class Locator {
     this.#mesh = mesh;
   }
 
+  /** Points of one side → the other side; null outside. @param {Side} from @param {Point[]} points */
+  carry(from, points) {
+    return points.map((point) => this.at(from, point));
+  }
+
   /** A point of one side → the other side; null outside. @param {Side} from @param {Point} point @returns {Point | null} */
-  carry(from, point) {
+  at(from, point) {
     const mesh = this.#mesh;
     this.#indices[from] ??= new Index(mesh[from], mesh.triangles);
     const found = this.#indices[from].find(point);

@@ -1,8 +1,7 @@
 // Lines over a picture: triangulation and grids, on a canvas in device pixels.
 
-import { onGrid, scaleOf, toPixels } from "../common/frame.js";
+import { scaleOf, toPixels } from "../common/frame.js";
 
-/** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
 
 const WHITE = "rgb(255 255 255 / 0.62)";
@@ -25,31 +24,7 @@ export function meshEdges(triangles) {
   return Uint32Array.from(edges);
 }
 
-/** A canvas sized to its box in device pixels, cleared, with the frame to draw in. */
-export class Layer {
-  #canvas;
-  #context;
-
-  /** @param {HTMLCanvasElement} canvas */
-  constructor(canvas) {
-    const context = canvas.getContext("2d");
-    if (!context) throw new Error("This browser gives no 2d canvas.");
-    this.#canvas = canvas;
-    this.#context = context;
-  }
-
-  /** Fits the canvas to `frame` at the screen's density, and clears it. @param {Frame} frame in CSS pixels */
-  begin(frame) {
-    const density = window.devicePixelRatio || 1;
-    const [width, height] = frame.pixels.map((n) => Math.max(1, Math.round(n * density)));
-    if (this.#canvas.width !== width) this.#canvas.width = width;
-    if (this.#canvas.height !== height) this.#canvas.height = height;
-    this.#context.clearRect(0, 0, width, height);
-    return { context: this.#context, frame: onGrid(frame, [width, height]), density };
-  }
-}
-
-/** @typedef {ReturnType<Layer["begin"]>} Drawing */
+/** @typedef {import("../common/canvas.js").Drawing} Drawing */
 
 /** @param {Drawing} drawing @param {Float64Array} points @param {Uint32Array} edges */
 export function drawMesh({ context, frame, density }, points, edges) {

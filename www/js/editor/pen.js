@@ -1,26 +1,34 @@
 // Drawing a new region: corner by corner, or in one stroke with the button held.
 
 import { toPixels, toPlane } from "../common/frame.js";
-import { distance, simplify } from "./geometry.js";
-import { makeRegion } from "./region.js";
+import { undoOrRedo } from "../common/keys.js";
 import { pathData, pixelOf, set, svg } from "../common/svg.js";
+import { crossingEdges, distance, simplify } from "./geometry.js";
 
+/** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
-/** @typedef {import("./store.js").Store} Store */
-/** @typedef {import("./photo-view.js").PhotoView} PhotoView */
+/**
+ * @typedef {object} Paper
+ * @property {{ root: SVGSVGElement, frame: Frame }} view where the pen draws
+ * @property {() => boolean} isActive
+ * @property {(drawing: boolean) => void} onMode asks for drawing to begin, or to end
+ * @property {(outline: Point[]) => void} onOutline
+ */
 
 /** In pixels of the panel: how near to the first point closes, how far a press moves to become a stroke, … */
 const CLOSE = 12;
 const STROKE = 6;
-/** … the spacing of a stroke's points, and how far the outline may leave the stroke. */
+/** … the spacing of a stroke's points, how far the outline may leave the stroke, and how long a hook at its ends may be. */
 const SPACING = 2;
 const SLACK = 1.2;
+const HOOK = 40;
 
 export class Pen {
-  #store;
-  #view;
+  #paper;
   /** In the plane. @type {Point[]} */
   #points = [];
+  /** Corners that were taken back. @type {Point[]} */
+  #undone = [];
   /** The pointer, in pixels. @type {Point | null} */
   #hover = null;
   /** The press that may become a stroke. @type {{ pointer: number, from: Point, stroke: boolean } | null} */
@@ -29,42 +37,42 @@ export class Pen {
   #halo = svg("path", { class: "pen-halo" });
   #start = svg("circle", { class: "pen-start", r: 7 });
 
-  /** @param {Store} store @param {PhotoView} view */
-  constructor(store, view) {
-    this.#store = store;
-    this.#view = view;
-    const { root } = view;
+  /** @param {Paper} paper */
+  constructor(paper) {
+    this.#paper = paper;
+    const { root } = paper.view;
     root.append(svg("g", { class: "pen" }, [this.#halo, this.#line, this.#start]));
     root.addEventListener("pointerdown", (event) => this.#down(event));
     root.addEventListener("pointermove", (event) => this.#move(event));
     root.addEventListener("pointerup", (event) => this.#up(event));
     root.addEventListener("pointercancel", (event) => this.#up(event));
-    window.addEventListener("keydown", (event) => this.#key(event));
+    // Before all others: Ctrl Z means the last corner while there is a drawing.
+    window.addEventListener("keydown", (event) => this.#key(event), { capture: true });
   }
 
   begin() {
-    this.#points = [];
-    this.#hover = null;
-    this.#press = null;
-    this.#draw();
-    this.#store.setMode("draw");
+    this.#clear();
+    this.#paper.onMode(true);
   }
 
   cancel() {
-    this.#points = [];
-    this.#draw();
-    this.#store.setMode("edit");
+    this.#clear();
+    this.#paper.onMode(false);
   }
 
-  get #active() {
-    return this.#store.mode === "draw";
+  #clear() {
+    this.#points = [];
+    this.#undone = [];
+    this.#hover = null;
+    this.#press = null;
+    this.#draw();
   }
 
   /** @param {PointerEvent} event */
   #down(event) {
-    if (!this.#active || event.button !== 0 || this.#press) return;
+    if (!this.#paper.isActive() || event.button !== 0 || this.#press) return;
     event.preventDefault();
-    const { root, frame } = this.#view;
+    const { root, frame } = this.#paper.view;
     const at = pixelOf(root, event);
     root.setPointerCapture(event.pointerId);
     const [first] = this.#points;
@@ -74,14 +82,15 @@ export class Pen {
     if (this.#points.length > 2 && last && distance(toPixels(frame, last), at) < STROKE) return this.#finish();
     this.#press = { pointer: event.pointerId, from: at, stroke: false };
     this.#points.push(this.#plane(at));
+    this.#undone = [];
     this.#hover = at;
     this.#draw();
   }
 
   /** @param {PointerEvent} event */
   #move(event) {
-    if (!this.#active) return;
-    const { frame, root } = this.#view;
+    if (!this.#paper.isActive()) return;
+    const { frame, root } = this.#paper.view;
     const at = pixelOf(root, event);
     this.#hover = at;
     const press = this.#press;
@@ -103,29 +112,34 @@ export class Pen {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    if (!this.#active) return;
+    if (!this.#paper.isActive()) return;
+    const meaning = undoOrRedo(event);
     if (event.key === "Escape") this.cancel();
     else if (event.key === "Enter" && this.#points.length > 2) this.#finish();
-    else if (event.key === "Backspace" || event.key === "Delete") {
-      this.#points.pop();
-      this.#draw();
-    } else return;
+    else if (meaning === "undo" || event.key === "Backspace" || event.key === "Delete") this.#shift(this.#points, this.#undone);
+    else if (meaning === "redo") this.#shift(this.#undone, this.#points);
+    else return;
     event.preventDefault();
+    event.stopPropagation();
+  }
+
+  /** @param {Point[]} from @param {Point[]} to */
+  #shift(from, to) {
+    const corner = from.pop();
+    if (corner) to.push(corner);
+    this.#draw();
   }
 
   #finish() {
-    const { frame } = this.#view;
-    const slack = (SLACK * frame.width) / frame.pixels[0];
-    const outline = outlineOf(this.#points, slack);
-    if (outline.length < 3) return this.cancel();
-    this.#points = [];
-    this.#draw();
-    this.#store.setMode("edit");
-    this.#store.commit({ region: makeRegion(outline) });
+    const { frame } = this.#paper.view;
+    const pixel = frame.width / frame.pixels[0];
+    const outline = outlineOf(withoutHooks(this.#points, HOOK * pixel), SLACK * pixel);
+    this.cancel();
+    if (outline.length >= 3) this.#paper.onOutline(outline);
   }
 
   #draw() {
-    const { frame } = this.#view;
+    const { frame } = this.#paper.view;
     const pixels = this.#points.map((p) => toPixels(frame, p));
     const [first] = pixels;
     const line = this.#hover && pixels.length && !this.#press?.stroke ? [...pixels, this.#hover] : pixels;
@@ -136,10 +150,35 @@ export class Pen {
 
   /** @param {Point} pixel @returns {Point} */
   #plane([x, y]) {
-    const { frame } = this.#view;
+    const { frame } = this.#paper.view;
     return toPlane(frame, [Math.min(frame.pixels[0], Math.max(0, x)), Math.min(frame.pixels[1], Math.max(0, y))]);
   }
 }
+
+/**
+ * A line without the hooks that a hand leaves where it begins and ends: short pieces beyond the place where the closed line
+ * meets itself. @param {Point[]} line @param {number} longest that may be cut away @returns {Point[]}
+ */
+function withoutHooks(line, longest) {
+  let kept = line;
+  while (kept.length > 4) {
+    const crossing = crossingEdges(kept);
+    if (!crossing.size) return kept;
+    const [first, last] = [Math.min(...crossing), Math.max(...crossing)];
+    const parts = [
+      { rest: kept.slice(first + 1, last + 1), cut: lengthOf(kept.slice(0, first + 2)) + lengthOf(kept.slice(last)) },
+      { rest: kept.slice(0, first + 1), cut: lengthOf(kept.slice(first)) },
+      { rest: kept.slice(last + 1), cut: lengthOf(kept.slice(0, last + 2)) },
+    ];
+    const best = parts.reduce((a, b) => (b.cut < a.cut ? b : a));
+    if (best.cut > longest) return kept;
+    kept = best.rest;
+  }
+  return kept;
+}
+
+/** @param {Point[]} line */
+const lengthOf = (line) => line.reduce((sum, p, k) => (k ? sum + distance(p, line[k - 1]) : 0), 0);
 
 /** A drawn line as a closed outline, without the points that add nothing. @param {Point[]} line @param {number} slack */
 function outlineOf(line, slack) {

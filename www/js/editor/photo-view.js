@@ -1,7 +1,8 @@
 // The left panel: the photo, dimmed outside the region, with the region's outline, points and inward vector over it.
 
+import { Layer } from "../common/canvas.js";
 import { onGrid, toPixels } from "../common/frame.js";
-import { Layer, drawLines, drawMesh } from "./overlay.js";
+import { drawLines, drawMesh } from "./overlay.js";
 import { faults, towardPoint } from "./region.js";
 import { match, pathData, set, svg } from "../common/svg.js";
 import { markVector, updateVector } from "./vector.js";

@@ -8,8 +8,8 @@ import { makeRegion } from "./region.js";
 /** @typedef {import("./region.js").Region} Region */
 /** In a photo's pixels. @typedef {{ outline: Point[], center: Point, toward: Point }} Drawn */
 
-/** The region drawn for each photo. @type {Record<string, Drawn>} */
-const drawn = {
+/** The region drawn for each photo. @type {Map<string, Drawn>} */
+const drawn = new Map(Object.entries({
   astronaut: {
     outline: [
       [196, 22], [232, 14], [268, 22], [292, 46], [303, 84], [290, 118], [272, 140], [258, 168], [296, 206],
@@ -43,7 +43,7 @@ const drawn = {
     center: [560, 690],
     toward: [1179.8, 663.4],
   },
-};
+}));
 
 /** @type {(count: number, at: (turns: number, k: number) => Point) => Point[]} */
 const around = (count, at) => Array.from({ length: count }, (_, k) => at(k / count, k));
@@ -67,8 +67,8 @@ function coast() {
   });
 }
 
-/** Outlines about [−1, 1] in size, stretched to fit the photo. @type {Record<string, { title: string, outline: Point[] }>} */
-export const shapes = {
+/** Outlines about [−1, 1] in size, stretched to fit the photo. @type {Map<string, { title: string, outline: Point[] }>} */
+export const shapes = new Map(Object.entries({
   square: { title: "Square", outline: [[-0.75, -0.75], [0.75, -0.75], [0.75, 0.75], [-0.75, 0.75]] },
   ell: { title: "L", outline: [[-0.8, -0.8], [0.8, -0.8], [0.8, 0], [0, 0], [0, 0.8], [-0.8, 0.8]] },
   star: { title: "Star", outline: around(10, (turns, k) => polar(k % 2 ? 0.42 : 0.95, turns + 0.05)) },
@@ -86,23 +86,34 @@ export const shapes = {
   },
   horseshoe: { title: "Horseshoe", outline: horseshoe() },
   coast: { title: "Coast, 100 corners", outline: coast() },
-};
+}));
 
-/** The region drawn for a photo. @param {string} name @returns {Region} */
+/** The first region on a picture: the one drawn for the photo, or an ellipse. @param {{ id: string, frame: import("../common/frame.js").Frame }} picture @returns {Region} */
+export function defaultRegion({ id, frame }) {
+  const drawing = drawn.get(id);
+  return drawing ? regionOn(id, drawing) : shapeRegion("ellipse", frame.pixels);
+}
+
+/** The region drawn for a photo of the page. @param {string} name @returns {Region} */
 export function photoRegion(name) {
-  return regionOn(name, drawn[name]);
+  return defaultRegion({ id: name, frame: frameOf(name) });
+}
+
+/** The frame of a photo that need not be loaded. @param {string} name */
+export function frameOf(name) {
+  return photoFrame(...(photos.get(name)?.size ?? /** @type {[number, number]} */ ([1, 1])));
 }
 
 /** A region given in a photo's pixels. @param {string} name @param {Drawn} drawing @returns {Region} */
 export function regionOn(name, { outline, center, toward }) {
-  const frame = photoFrame(...photos[name].size);
+  const frame = frameOf(name);
   /** @param {Point} pixel */
   const plane = (pixel) => toPlane(frame, pixel);
   return makeRegion(outline.map(plane), plane(center), plane(toward));
 }
 
-/** A shape in the middle of a photo, as large as fits. @param {string} name @param {number} width @param {number} height @returns {Region} */
-export function shapeRegion(name, width, height) {
+/** A shape in the middle of a photo, as large as fits. @param {string} name @param {Point} size of the photo @returns {Region} */
+export function shapeRegion(name, [width, height]) {
   const scale = Math.min(width, height) / Math.max(width, height);
-  return makeRegion(shapes[name].outline.map(([x, y]) => [x * scale, y * scale]));
+  return makeRegion((shapes.get(name)?.outline ?? []).map(([x, y]) => [x * scale, y * scale]));
 }

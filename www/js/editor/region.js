@@ -35,9 +35,12 @@ export function insertVertex(region, edge, at) {
   return retie(region, region.boundary.toSpliced(edge + 1, 0, at));
 }
 
-/** A vertex less, while three remain. @param {Region} region @param {number} index @returns {Region} */
+/** A vertex less, while three remain; a center that is left outside moves inside. @param {Region} region @param {number} index @returns {Region} */
 export function removeVertex(region, index) {
-  return region.boundary.length > 3 ? retie(region, region.boundary.toSpliced(index, 1)) : region;
+  if (region.boundary.length <= 3) return region;
+  const less = retie(region, region.boundary.toSpliced(index, 1));
+  const lost = contains(region.boundary, region.center) && !contains(less.boundary, less.center);
+  return lost ? moveCenter(less, deepPoint(less.boundary)) : less;
 }
 
 /** @param {Region} region @param {Point} center @returns {Region} */

@@ -1,17 +1,18 @@
 // The formula's page: connects the address, the formula, the two planes and the worker.
 
 import init, { presets as allPresets } from "../../pkg/index.js";
+import { wrongWords } from "../common/address.js";
 import { acceptFiles } from "../common/files.js";
 import { addPicture } from "../common/images.js";
-import { Lane } from "../common/lane.js";
-import { element, mark, saveCanvas } from "../common/page.js";
-import { photos } from "../common/photos.js";
+import { attempt, element, remark, saveCanvas, statusOfPage, watchErrors, wordsOf } from "../common/page.js";
+import { PhotoChoice } from "../common/photo-choice.js";
 import { PlaneView } from "../common/plane-view.js";
-import { Probe } from "../common/probe.js";
-import { carrierOf, compile } from "./compile.js";
+import { Probe, readingWords } from "../common/probe.js";
+import { Scheduler } from "../common/scheduler.js";
+import { compile } from "./compile.js";
 import { showGallery } from "./gallery.js";
 import { showParams } from "./params.js";
-import { cropped, loadSquare } from "./square.js";
+import { lattice, loadSquare } from "./square.js";
 import { decode, encode, fromPreset } from "./state.js";
 
 /** @typedef {import("./state.js").State} State */
@@ -22,146 +23,129 @@ import { decode, encode, fromPreset } from "./state.js";
 const FIRST = "droste";
 /** The texture's plane is seen this many pictures wide. */
 const SURROUNDINGS = 2;
-/** A hand that has not moved for this long rests, in milliseconds; a warp that takes longer than this is given up for a newer one. */
+/** The address follows when nothing has changed for this long, in milliseconds. */
 const REST = 160;
-const PATIENCE = 3000;
-const DRAFT = { quality: /** @type {const} */ ("bilinear"), sharpness: 0.5 };
-const FINE = { quality: /** @type {const} */ ("best"), sharpness: 1 };
 
+watchErrors();
 await init().catch((error) => {
-  say(`The page’s WebAssembly module could not be started: ${error.message}`, null);
-  mark("failed");
+  statusOfPage.onState("failed", `The page’s WebAssembly module could not be started: ${error.message}. Reload the page to try again.`);
   throw error;
 });
 const presets = allPresets();
 const usual = fromPreset(/** @type {import("../../pkg/index.js").Preset} */ (presets.find(({ name }) => name === FIRST)), "astronaut");
 
-/** @type {State} */
-let state = decode(location.hash, presets, usual);
+/** What is drawn: its formula can be read. @type {State} */
+let state = usual;
 /** @type {Picture} */
 let picture;
-/** The last formula that could be read. @type {import("./compile.js").Compiled} */
+/** What was found out about the formula that is drawn. @type {import("./compile.js").Compiled} */
 let compiled;
-/** The visitor's own picture, if there is one. @type {Map<string, Picture>} */
-const own = new Map();
-let version = 0;
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let resting;
 
 const source = new PlaneView(element("source"), element("source-marks"), null);
 const target = new PlaneView(element("target"), element("target-marks"), (view) => change({ view }));
-/** @type {Lane<Job, Result>} */
-const lane = new Lane(new URL("./worker.js", import.meta.url), PATIENCE, receive);
-const probe = new Probe(source, target, () => carrierOf(compiled.map, state.direction), (reading) => {
-  const { direction } = state;
-  const hint = direction === "pull-back" ? "Point at the right picture: a mark shows where its colours come from." : "Point at the left picture: a mark shows where it goes.";
-  element("reading").textContent = reading ? readingWords(reading) : hint;
+/** @type {Scheduler<Job, Result>} */
+const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), { ...statusOfPage, onResult, failureWords: ({ message }) => message }, 1);
+const probe = new Probe(source, target, () => ({ carry }), (reading) => {
+  const hint = state.direction === "pull-back" ? "Point at the right picture: a mark shows where its colours come from." : "Point at the left picture: a mark shows where it goes.";
+  element("reading").textContent = reading ? readingWords(reading, "picture") : hint;
 });
+const photoChoice = new PhotoChoice(element("choose-photo"), (image) => open(loadSquare(image)), [["lattice", "Lattice"]]);
 
 connectControls();
-await go(state);
-showGallery(element("gallery"), presets, (kind) => loadSquare(kind === "lattice" ? "lattice" : "astronaut"));
+await visit(usual);
+showGallery(element("gallery"), presets, (kind) => squareFor(kind === "lattice" ? "lattice" : "astronaut"));
 
-/** Goes to a state altogether. @param {State} next */
-async function go(next) {
-  const result = compile(next.formula, next.params);
-  if (!("map" in result)) {
-    /** @type {HTMLInputElement} */ (element("formula")).value = next.formula;
-    say(result.message, result.position ?? null);
-    if (compiled) return;
-    return go({ ...usual, image: next.image });
-  }
-  picture = own.get(next.image) ?? (await loadSquare(next.image).catch(() => loadSquare("astronaut")));
-  if (compiled) compiled.map.free();
-  compiled = result;
-  state = { ...next, image: picture.id, params: result.params };
-  /** @type {HTMLInputElement} */ (element("formula")).value = state.formula;
-  say("", null);
-  show();
+/** Goes to the address: what it says, and the rest as given. What cannot be read of it is said, and stays there. @param {State} rest */
+async function visit(rest) {
+  const { state: next, wrong } = decode(location.hash, presets, rest);
+  remark(wrongWords(wrong));
+  const found = compile(next.formula, next.params);
+  const readable = "params" in found;
+  showFormula(next.formula);
+  complain(readable ? "" : found.message, readable ? null : (found.position ?? null));
+  if (readable) adopt({ ...next, params: found.params }, found);
+  else if (compiled) return;
+  else adopt({ ...usual, image: next.image }, /** @type {import("./compile.js").Compiled} */ (compile(usual.formula, usual.params)));
+  picture = await squareFor(state.image);
+  show(readable && !wrong.length);
+}
+
+/** @param {State} next @param {import("./compile.js").Compiled} found */
+function adopt(next, found) {
+  state = next;
+  compiled = found;
+}
+
+/** A picture, or what stands in for it. @param {string} id */
+async function squareFor(id) {
+  return loadSquare(id).catch((error) => {
+    remark(wordsOf(error));
+    return lattice(id);
+  });
 }
 
 /** @param {Partial<State>} changes */
 function change(changes) {
   state = { ...state, ...changes };
-  for (const [name, value] of Object.entries(changes.params ?? {})) compiled.map.setParam(name, value);
-  show();
+  show(true);
 }
 
-function show() {
+/** @param {boolean} remembering whether the address is to follow */
+function show(remembering) {
   probe.hide();
   source.look({ center: state.texture.center, width: SURROUNDINGS * state.texture.width });
   source.outline(state.texture);
   target.look(state.view);
   updateControls();
-  mark("working");
-  request(DRAFT);
+  scheduler.run(jobOf, picture, true);
   clearTimeout(resting);
-  resting = setTimeout(() => {
-    request(FINE);
-    history.replaceState(null, "", `#${encode(state)}`);
-  }, REST);
+  if (remembering) resting = setTimeout(() => history.replaceState(null, "", `#${encode(state)}`), REST);
 }
 
-/** @param {typeof DRAFT | typeof FINE} care */
-function request({ quality, sharpness }) {
-  const { formula, direction, wrap, lines, texture } = state;
-  lane.setPicture(picture);
-  lane.request({
-    version: ++version,
-    formula,
-    params: compiled.params && Object.fromEntries(Object.keys(compiled.params).map((name) => [name, state.params[name]])),
-    direction,
-    wrap,
-    lines,
-    texture: { ...texture, pixels: picture.frame.pixels },
-    source: source.view(sharpness),
-    target: target.view(sharpness),
-    quality,
-  });
+/** @param {import("../common/scheduler.js").Care} care @returns {Omit<Job, "version" | "fine">} */
+function jobOf({ sharpness }) {
+  const { formula, params, direction, wrap, lines, texture } = state;
+  const placed = { ...texture, pixels: picture.frame.pixels };
+  return { formula, params, direction, wrap, lines, texture: placed, source: source.view(sharpness), target: target.view(sharpness) };
 }
 
-/** @param {import("../common/serve.js").Reply<Result>} reply */
-function receive(reply) {
-  if ("broken" in reply) return mark("failed");
-  if ("progress" in reply) return;
-  if ("failure" in reply) {
-    if (reply.failure.version !== version) return;
-    say(reply.failure.message, reply.failure.position ?? null);
-    return mark("invalid");
-  }
-  const { result } = reply;
+/** Points as the map takes them: from the plane on which it is evaluated to the other. @param {import("../common/probe.js").Side} side @param {import("../common/frame.js").Point[]} points */
+function carry(side, points) {
+  const { formula, params, direction } = state;
+  return side === (direction === "pull-back" ? "target" : "source") ? scheduler.ask({ formula, params, points }) : [];
+}
+
+/** @param {Result} result @param {boolean} done */
+function onResult(result, done) {
   source.paint(result.sourcePixels, result.source);
   target.paint(result.targetPixels, result.target);
-  if (result.version !== version || result.quality !== FINE.quality) return;
-  const kind = compiled.map.isAnalytic ? "Analytic: angles are kept." : "Not analytic: angles are bent.";
-  element("evidence").textContent = `${kind} Drawn in ${Math.max(1, Math.round(result.warpMs))} ms, four samples a pixel.`;
-  mark("ready");
+  const kind = compiled.analytic ? "Analytic: angles are kept." : "Not analytic: angles are bent.";
+  const time = result.warpMs < 1000 ? `${Math.max(1, Math.round(result.warpMs))} ms` : `${(result.warpMs / 1000).toFixed(1)} s`;
+  element("evidence").textContent = `${kind} ${done ? `Drawn in ${time}, four samples a pixel.` : "This is a coarse picture."}`;
 }
 
 function connectControls() {
   const formula = /** @type {HTMLInputElement} */ (element("formula"));
   formula.addEventListener("input", () => typed(formula.value));
   element("formula-form").addEventListener("submit", (event) => event.preventDefault());
-  const image = /** @type {HTMLSelectElement} */ (element("choose-photo"));
-  image.append(new Option("Lattice", "lattice"), ...Object.entries(photos).map(([id, { title }]) => new Option(title, id)));
-  image.onchange = () => go({ ...state, image: image.value });
   const file = /** @type {HTMLInputElement} */ (element("file"));
   element("open").onclick = () => file.click();
-  acceptFiles(file, element("source-stage"), open);
+  acceptFiles(file, element("source-stage"), (chosen) => open(addPicture(chosen).then(({ id }) => loadSquare(id))));
   for (const name of /** @type {const} */ (["direction", "wrap", "lines"])) {
     const select = /** @type {HTMLSelectElement} */ (element(name));
     select.onchange = () => change({ [name]: select.value });
   }
   element("home").onclick = () => change({ view: { center: [0, 0], width: 4 } });
   element("save").onclick = () => saveCanvas(element("target"), "formula.png");
-  window.addEventListener("hashchange", () => go(decode(location.hash, presets, { ...usual, image: state.image })));
-  new ResizeObserver(() => compiled && show()).observe(element("panels"));
+  element("stop").onclick = () => scheduler.stop();
+  window.addEventListener("hashchange", () => visit(state));
+  new ResizeObserver(() => picture && show(false)).observe(element("panels"));
 }
 
 function updateControls() {
-  const image = /** @type {HTMLSelectElement} */ (element("choose-photo"));
-  if (![...image.options].some(({ value }) => value === picture.id)) image.append(new Option(picture.title, picture.id));
-  image.value = picture.id;
+  photoChoice.show(picture);
   for (const name of /** @type {const} */ (["direction", "wrap", "lines"])) /** @type {HTMLSelectElement} */ (element(name)).value = state[name];
   showParams(element("params"), state.params, (name, value) => change({ params: { ...state.params, [name]: value } }));
   const preset = presets.find(({ formula, direction, view }) => formula === state.formula && direction === state.direction && view.width === state.view.width);
@@ -170,35 +154,30 @@ function updateControls() {
 
 /** @param {string} text */
 function typed(text) {
-  const result = compile(text, state.params);
-  if (!("map" in result)) return say(result.message, result.position ?? null);
-  compiled.map.free();
-  compiled = result;
-  say("", null);
-  change({ formula: text, params: result.params });
+  const found = compile(text, state.params);
+  if (!("params" in found)) return complain(found.message, found.position ?? null);
+  complain("", null);
+  adopt({ ...state, formula: text, params: found.params }, found);
+  show(true);
 }
 
-/** @param {File} file */
-async function open(file) {
-  try {
-    const opened = cropped(await addPicture(file));
-    own.set(opened.id, opened);
-    await go({ ...state, image: opened.id });
-  } catch (error) {
-    say(error instanceof Error ? error.message : String(error), null);
-  }
+/** @param {Promise<Picture>} loading */
+function open(loading) {
+  return attempt(loading, (opened) => {
+    picture = opened;
+    change({ image: opened.id });
+  });
 }
 
-/** @param {import("../common/probe.js").Reading} reading */
-function readingWords({ stretch, turn }) {
-  const size = stretch >= 1 ? `enlarged ${stretch.toFixed(1)} times` : `shrunk ${(1 / stretch).toFixed(1)} times`;
-  return `Here the picture is ${size} and turned by ${Math.round(turn)}°.`;
+/** @param {string} text */
+function showFormula(text) {
+  const formula = /** @type {HTMLInputElement} */ (element("formula"));
+  if (formula.value !== text) formula.value = text;
 }
 
 /** @param {string} words @param {number | null} position of a mistake in the formula */
-function say(words, position) {
+function complain(words, position) {
   element("mistake").textContent = words;
-  const formula = /** @type {HTMLInputElement} */ (element("formula"));
-  formula.setAttribute("aria-invalid", String(words !== ""));
+  element("formula").setAttribute("aria-invalid", String(words !== ""));
   element("caret").textContent = position === null ? "" : `${" ".repeat(position)}▲`;
 }

@@ -1,6 +1,6 @@
-// The presets as small pictures to choose from.
+// The presets as small pictures to choose from, which a worker draws.
 
-import { FormulaMap, Texture } from "../../pkg/index.js";
+import { contextOf, drawnCanvas } from "../common/canvas.js";
 
 /** @typedef {import("../../pkg/index.js").Preset} Preset */
 /** @typedef {import("../common/images.js").Picture} Picture */
@@ -10,7 +10,7 @@ const SIDE = 160;
 const TEXTURE_SIDE = 256;
 
 /**
- * Fills `list` with a link for each preset; pictures follow one by one, between other work.
+ * Fills `list` with a link for each preset; pictures follow one by one. Where they cannot be drawn the titles stay.
  * @param {HTMLElement} list @param {Preset[]} presets @param {(kind: Preset["picture"]) => Promise<Picture>} picture
  */
 export async function showGallery(list, presets, picture) {
@@ -24,33 +24,16 @@ export async function showGallery(list, presets, picture) {
     return canvas;
   });
   const textures = { photo: small(await picture("photo")), lattice: small(await picture("lattice")) };
-  for (const [k, preset] of presets.entries()) {
-    await new Promise((resolve) => setTimeout(resolve));
-    paint(canvases[k], preset, textures[preset.picture]);
-  }
+  const worker = new Worker(new URL("./gallery-worker.js", import.meta.url), { type: "module" });
+  worker.onerror = (event) => event.preventDefault();
+  worker.onmessage = ({ data: { index, pixels } }) => {
+    contextOf(canvases[index]).putImageData(new ImageData(pixels, SIDE, SIDE), 0, 0);
+    if (index === presets.length - 1) worker.terminate();
+  };
+  worker.postMessage({ presets, textures, side: SIDE, textureSide: TEXTURE_SIDE });
 }
 
-/** @param {HTMLCanvasElement} canvas @param {Preset} preset @param {ImageData} image */
-function paint(canvas, { formula, params, direction, texture: place, view, wrap }, image) {
-  const context = canvas.getContext("2d");
-  if (!context) return;
-  const map = new FormulaMap(formula, { params });
-  const texture = Texture.fromImageData(image, { wrap });
-  map.paint(context, texture, {
-    texture: { ...place, pixels: [image.width, image.height] },
-    view: { ...view, pixels: [SIDE, SIDE] },
-    direction,
-  });
-  map.free();
-  texture.free();
-}
-
-/** @param {Picture} picture @returns {ImageData} */
+/** @param {Picture} picture */
 function small({ canvas }) {
-  const copy = new OffscreenCanvas(TEXTURE_SIDE, TEXTURE_SIDE);
-  const context = copy.getContext("2d");
-  if (!context) throw new Error("This browser gives no 2d canvas.");
-  context.imageSmoothingQuality = "high";
-  context.drawImage(canvas, 0, 0, TEXTURE_SIDE, TEXTURE_SIDE);
-  return context.getImageData(0, 0, TEXTURE_SIDE, TEXTURE_SIDE);
+  return drawnCanvas([TEXTURE_SIDE, TEXTURE_SIDE], (context) => context.drawImage(canvas, 0, 0, TEXTURE_SIDE, TEXTURE_SIDE)).pixels;
 }

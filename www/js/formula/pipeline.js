@@ -1,6 +1,7 @@
-// From a formula to two pictures: the texture's own plane, and what the formula makes of it.
+// From a formula to two pictures: the texture's own plane, and what the formula makes of it. Slow ones come coarse to fine.
 
 import { FormulaMap, Texture } from "../../pkg/index.js";
+import { flatten, onGrid, unflatten } from "../common/frame.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -8,25 +9,30 @@ import { FormulaMap, Texture } from "../../pkg/index.js";
 /** @typedef {import("../../pkg/index.js").Quality} Quality */
 /** @typedef {import("../../pkg/index.js").Wrap} Wrap */
 /** @typedef {"none" | "cartesian" | "polar" | "stretch" | "argument"} Lines what is drawn over the pictures */
+/** @typedef {{ formula: string, params: Record<string, Point> }} Typed */
 /**
- * @typedef {object} Job
- * @property {number} version which state of the page this is for
- * @property {string} formula
- * @property {Record<string, Point>} params
- * @property {Direction} direction
- * @property {Wrap} wrap
- * @property {Lines} lines
- * @property {Frame} texture where the picture lies
- * @property {Frame} source the view of the texture's plane
- * @property {Frame} target the view of the warped plane
- * @property {Quality} quality
+ * @typedef {Typed & {
+ *   version: number, fine: boolean, direction: Direction, wrap: Wrap, lines: Lines, texture: Frame, source: Frame, target: Frame
+ * }} Job
+ * `version`: which state of the page this is for; `texture`: where the picture lies; `source`, `target`: the views of the
+ * texture's plane and of the warped one
  */
 /** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
-/** @typedef {{ version: number, quality: Quality, source: Frame, target: Frame, sourcePixels: Pixels, targetPixels: Pixels, warpMs: number }} Result */
+/** @typedef {{ version: number, source: Frame, target: Frame, sourcePixels: Pixels, targetPixels: Pixels, warpMs: number }} Result */
+/** @typedef {import("../common/serve.js").Talk<Result>} Talk */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
 
 /** Heat and argument leave this much of the picture to be seen. */
 const OPACITY = 0.55;
+/** Pixels a side of the first picture, which tells how slow the formula is. */
+const FIRST = 24;
+/** A draft may take about this long, a fine picture without coarser ones before it; in milliseconds. */
+const DRAFT_TIME = 150;
+const FINE_TIME = 400;
+/** Rows are drawn for about this long before the page is listened to, in milliseconds. */
+const BAND_TIME = 60;
+/** Each picture on the way has so many times the pixels a side of the last one. */
+const FINER = 2;
 
 /** @implements {Pipeline<Job, Result>} */
 export class FormulaPipeline {
@@ -34,6 +40,8 @@ export class FormulaPipeline {
   #picture = null;
   /** The picture, made ready for one way of going on beyond its edges. @type {{ wrap: Wrap, texture: Texture } | null} */
   #ready = null;
+  /** The map that the page asked about last. @type {{ key: string, map: FormulaMap } | null} */
+  #asked = null;
 
   /** @param {Uint8ClampedArray} pixels @param {Frame} frame */
   setPicture(pixels, frame) {
@@ -42,29 +50,51 @@ export class FormulaPipeline {
     this.#ready = null;
   }
 
-  /** @param {Job} job */
-  run(job) {
+  /** @param {Job} job @param {Talk} talk */
+  async run(job, talk) {
     const texture = this.#texture(job.wrap);
     const map = new FormulaMap(job.formula, { params: job.params });
     const identity = new FormulaMap("z");
+    const begin = performance.now();
+    /** @param {number} side @param {Quality} quality @param {(share: number) => void} [onShare] */
+    const draw = (side, quality, onShare) => drawBoth({ map, identity, texture, job, begin }, side, quality, talk, onShare);
     try {
-      const { texture: frame, source, target, quality, direction } = job;
-      const sourcePixels = identity.warp(texture, { texture: frame, view: source, quality });
-      const begin = performance.now();
-      const targetPixels = map.warp(texture, { texture: frame, view: target, direction, quality });
-      const warpMs = performance.now() - begin;
-      // The map's lines lie in the plane that it is evaluated on; the straight ones are what they go to.
-      const pulling = direction === "pull-back";
-      drawLines(map, job, pulling ? target : source, pulling ? targetPixels : sourcePixels);
-      drawStraightLines(identity, job, pulling ? source : target, pulling ? sourcePixels : targetPixels);
-      const pixels = /** @type {{ sourcePixels: Pixels, targetPixels: Pixels }} */ ({ sourcePixels, targetPixels });
-      /** @type {Result} */
-      const result = { version: job.version, quality, source, target, ...pixels, warpMs };
-      return { result, transfer: [pixels.sourcePixels.buffer, pixels.targetPixels.buffer] };
+      const full = job.target.pixels[0];
+      const first = await draw(Math.min(FIRST, full), "bilinear");
+      const pixelMs = first.result.warpMs / Math.min(FIRST, full) ** 2;
+      const time = (/** @type {number} */ side) => pixelMs * side * side;
+      if (!job.fine) {
+        if (time(full) <= DRAFT_TIME) return await draw(full, "bilinear");
+        talk.show(first);
+        return await draw(Math.max(FIRST, Math.floor(Math.sqrt(DRAFT_TIME / pixelMs))), "bilinear");
+      }
+      const sides = [full];
+      while (time(sides[0]) > FINE_TIME && sides[0] > FINER * FIRST) sides.unshift(Math.ceil(sides[0] / FINER));
+      const all = sides.reduce((sum, side) => sum + side * side, 0);
+      let done = 0;
+      for (const side of sides) {
+        const share = (/** @type {number} */ part) => talk.progress("picture", (done + part * side * side) / all);
+        const drawn = await draw(side, side === full ? "best" : "bilinear", share);
+        if (side === full) return drawn;
+        talk.show(drawn);
+        done += side * side;
+      }
+      return first;
     } finally {
       map.free();
       identity.free();
     }
+  }
+
+  /** Points carried by a formula. @param {Typed & { points: Point[] }} question @returns {(Point | null)[]} */
+  answer({ formula, params, points }) {
+    const key = JSON.stringify([formula, params]);
+    if (this.#asked?.key !== key) {
+      this.#asked?.map.free();
+      this.#asked = null;
+      this.#asked = { key, map: new FormulaMap(formula, { params }) };
+    }
+    return unflatten(this.#asked.map.eval(flatten(points))).map((p) => (p.every(Number.isFinite) ? p : null));
   }
 
   /** @param {Wrap} wrap */
@@ -78,14 +108,53 @@ export class FormulaPipeline {
   }
 }
 
-/** @param {FormulaMap} map @param {Job} job @param {Frame} view @param {Uint8ClampedArray} out */
-function drawLines(map, { lines, texture, quality }, view, out) {
-  if (lines === "none") return;
-  const width = quality === "best" ? 2 : 1;
-  map.overlay({ kind: lines, view, out, opacity: OPACITY, width, spacing: texture.width / 8 });
+/**
+ * Both pictures, with so many pixels a side.
+ * @param {{ map: FormulaMap, identity: FormulaMap, texture: Texture, job: Job, begin: number }} what @param {number} side
+ * @param {Quality} quality @param {Talk} talk @param {(share: number) => void} [onShare] of the rows
+ */
+async function drawBoth({ map, identity, texture, job, begin }, side, quality, talk, onShare = () => {}) {
+  const { texture: frame, direction, version } = job;
+  const [source, target] = [job.source, job.target].map((view) => onGrid(view, [side, side]));
+  const started = performance.now();
+  const sourcePixels = /** @type {Pixels} */ (identity.warp(texture, { texture: frame, view: source, quality }));
+  const targetPixels = new Uint8ClampedArray(4 * side * side);
+  // The map's lines lie in the plane that it is evaluated on; the straight ones are what they go to.
+  const pulling = direction === "pull-back";
+  await inBands(side, pulling, talk, onShare, (rows) => {
+    const [sourceRows, targetRows] = [sourcePixels, targetPixels].map((pixels) => pixels.subarray(4 * side * rows[0], 4 * side * rows[1]));
+    map.warp(texture, { texture: frame, view: target, direction, quality, out: targetRows, rows });
+    const places = [{ view: source, out: sourceRows, rows }, { view: target, out: targetRows, rows }];
+    drawLines(map, job, places[pulling ? 1 : 0]);
+    if (job.lines === "cartesian" || job.lines === "polar") drawLines(identity, job, places[pulling ? 0 : 1]);
+  });
+  const warpMs = performance.now() - (side === job.target.pixels[0] ? begin : started);
+  /** @type {Result} */
+  const result = { version, source, target, sourcePixels, targetPixels, warpMs };
+  return { result, transfer: [sourcePixels.buffer, targetPixels.buffer] };
 }
 
-/** @param {FormulaMap} identity @param {Job} job @param {Frame} view @param {Uint8ClampedArray} out */
-function drawStraightLines(identity, job, view, out) {
-  if (job.lines === "cartesian" || job.lines === "polar") drawLines(identity, job, view, out);
+/**
+ * Draws rows band by band, each for about as long as the page may wait; at once where a band costs as much as the whole.
+ * @param {number} count of rows @param {boolean} parted @param {Talk} talk @param {(share: number) => void} onShare
+ * @param {(rows: [number, number]) => void} draw
+ */
+async function inBands(count, parted, talk, onShare, draw) {
+  let height = parted ? Math.max(8, Math.ceil(count / 16)) : count;
+  for (let row = 0; row < count; ) {
+    const begin = performance.now();
+    const end = Math.min(count, row + height);
+    draw([row, end]);
+    const took = performance.now() - begin;
+    height = Math.max(1, Math.min(count, Math.round(height * Math.min(4, Math.max(0.25, BAND_TIME / (took || 1))))));
+    row = end;
+    onShare(row / count);
+    if (row < count && took > BAND_TIME / 4) await talk.pause();
+  }
+}
+
+/** @param {FormulaMap} map @param {Job} job @param {{ view: Frame, out: Uint8ClampedArray, rows: [number, number] }} place */
+function drawLines(map, { lines, texture, fine }, place) {
+  if (lines === "none") return;
+  map.overlay({ ...place, kind: lines, opacity: OPACITY, width: fine ? 2 : 1, spacing: texture.width / 8 });
 }

@@ -1,5 +1,8 @@
 // What the formula's page shows, and its address.
 
+import { numbers, oneOf, photo, point, readAddress } from "../common/address.js";
+import { knowsPicture } from "../common/images.js";
+
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./pipeline.js").Lines} Lines */
 /** @typedef {import("../../pkg/index.js").Direction} Direction */
@@ -20,6 +23,8 @@
 
 /** The picture that presets ask for by kind. @type {Record<Preset["picture"], string>} */
 const IMAGES = { photo: "astronaut", lattice: "lattice" };
+/** Longer formulas are nobody's handwriting. */
+const LONGEST = 4000;
 
 /** @param {Preset} preset @param {string} image the photo that is shown now @returns {State} */
 export function fromPreset({ formula, params, direction, wrap, texture, view, picture }, image) {
@@ -41,44 +46,40 @@ export function encode(state) {
   return fields.toString();
 }
 
+/** A place in the plane: the middle and the width. @param {string} text @returns {Placement} */
+function placement(text) {
+  const [x, y, width] = numbers(3)(text);
+  if (!(width > 0)) throw new Error("needs a positive width as its third number");
+  return { center: [x, y], width };
+}
+
+/** @param {string} text */
+function formula(text) {
+  if (text.length > LONGEST) throw new Error(`has ${text.length} characters; ${LONGEST} are the most`);
+  return text;
+}
+
 /**
- * The state of an address: a preset's name, a formula, or both left out.
- * @param {string} hash @param {Preset[]} presets @param {State} usual @returns {State}
+ * The state of an address: a preset's name, a formula, what else it says; the rest is as in `usual`.
+ * @param {string} hash @param {Preset[]} presets @param {State} usual @returns {{ state: State, wrong: string[] }}
  */
 export function decode(hash, presets, usual) {
-  const fields = new URLSearchParams(hash.replace(/^#/, ""));
-  const preset = presets.find(({ name }) => name === fields.get("preset"));
-  const base = preset ? fromPreset(preset, usual.image) : usual;
-  const params = { ...base.params };
-  for (const [key, value] of fields) {
-    const point = numbers(value, 2);
-    if (key.startsWith("p.") && point) params[key.slice(2)] = [point[0], point[1]];
-  }
-  return {
-    formula: fields.get("f") ?? base.formula,
-    params,
-    direction: choice(fields.get("way"), /** @type {const} */ (["pull-back", "push-forward"]), base.direction),
-    image: fields.get("image") ?? base.image,
-    wrap: choice(fields.get("wrap"), /** @type {const} */ (["repeat", "mirror", "clamp", "transparent"]), base.wrap),
-    lines: choice(fields.get("lines"), /** @type {const} */ (["none", "cartesian", "polar", "stretch", "argument"]), base.lines),
-    texture: placement(fields.get("texture")) ?? base.texture,
-    view: placement(fields.get("view")) ?? base.view,
+  const schema = {
+    preset: oneOf(presets.map(({ name }) => name)),
+    f: formula,
+    way: oneOf(/** @type {const} */ (["pull-back", "push-forward"])),
+    image: photo((id) => id === "lattice" || knowsPicture(id)),
+    wrap: oneOf(/** @type {const} */ (["repeat", "mirror", "clamp", "transparent"])),
+    lines: oneOf(/** @type {const} */ (["none", "cartesian", "polar", "stretch", "argument"])),
+    texture: placement,
+    view: placement,
   };
-}
-
-/** @template {string} T @param {string | null} text @param {readonly T[]} allowed @param {T} usual @returns {T} */
-function choice(text, allowed, usual) {
-  return allowed.find((name) => name === text) ?? usual;
-}
-
-/** @param {string | null} text @param {number} count @returns {number[] | null} */
-function numbers(text, count) {
-  const values = (text ?? "").split(",").map(Number);
-  return values.length === count && values.every(Number.isFinite) ? values : null;
-}
-
-/** @param {string | null} text @returns {Placement | null} */
-function placement(text) {
-  const values = numbers(text, 3);
-  return values && values[2] > 0 ? { center: [values[0], values[1]], width: values[2] } : null;
+  const { values, others, wrong } = readAddress(hash, schema, (name) => (/^p\.[a-z]$/i.test(name) ? point : undefined));
+  const preset = presets.find(({ name }) => name === values.preset);
+  const base = preset ? fromPreset(preset, usual.image) : usual;
+  const told = [...others].map(([name, value]) => [name.slice(2), value]);
+  const { f = base.formula, way = base.direction, image = base.image, wrap = base.wrap, lines = base.lines } = values;
+  const { texture = base.texture, view = base.view } = values;
+  const state = { formula: f, params: { ...base.params, ...Object.fromEntries(told) }, direction: way, image, wrap, lines, texture, view };
+  return { state, wrong };
 }

@@ -1,63 +1,94 @@
 // The page that maps one region to another: two sides, one scheduler, the picture of the first in the second.
 
+import { readAddress, someOf, wrongWords } from "../common/address.js";
 import { acceptFiles } from "../common/files.js";
-import { element, mark, say, sayBroken, saveCanvas, showEvidence, showProgress } from "../common/page.js";
-import { photos } from "../common/photos.js";
+import { newStep, redoNext, undoLast } from "../common/history.js";
+import { onUndoKeys } from "../common/keys.js";
+import { element, press, remark, saveCanvas, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
 import { Probe } from "../common/probe.js";
 import { Scheduler } from "../common/scheduler.js";
-import { failureWords, pairRows, readingWords } from "../editor/evidence.js";
-import { Locator } from "../editor/locate.js";
-import { meshEdges } from "../editor/overlay.js";
-import { photoRegion } from "../editor/presets.js";
-import { decode, encodeDocument } from "../editor/url.js";
+import { documentOf } from "../editor/document.js";
+import { failureWords, pairRows, probeWords } from "../editor/evidence.js";
+import { frameOf } from "../editor/presets.js";
+import { drawingSchema, encodeDrawing } from "../editor/url.js";
 import { firstFrom, firstTo } from "./first.js";
+import { Outcome } from "./outcome.js";
 import { Side } from "./side.js";
 
 /** @typedef {import("./pipeline.js").Job} Job */
 /** @typedef {import("./pipeline.js").Result} Result */
-/** @typedef {import("../editor/store.js").Document} Document */
 
 /** How dark the first photo is outside its region; the second one is not, so that the two make one picture. */
 const DIM = 0.42;
 
-/** What is drawn from the last good result. @type {{ result: Result, edges: Uint32Array, locator: Locator, picture: HTMLCanvasElement } | null} */
-let outcome = null;
-let showMesh = new URLSearchParams(location.hash.slice(1)).get("show") === "mesh";
-/** The side that was edited last: Ctrl Z acts on it. @type {Side} */
-let active;
+/** The fields of the address: those of a drawing for each side. */
+const schema = {
+  .../** @type {{ [K in keyof typeof drawingSchema as `a.${K}`]: typeof drawingSchema[K] }} */ (prefixed("a.")),
+  .../** @type {{ [K in keyof typeof drawingSchema as `b.${K}`]: typeof drawingSchema[K] }} */ (prefixed("b.")),
+  show: someOf(/** @type {const} */ (["mesh"])),
+};
 
-const from = await Side.open("from", documentAt("a.", firstFrom));
-const to = await Side.open("to", documentAt("b.", firstTo));
+watchErrors();
+/** What is drawn from the last good result. @type {Outcome | null} */
+let outcome = null;
+/** The side that was edited last: a file goes there. @type {Side} */
+let active;
+/** Whether an address is being followed: what could not be read of it is left there. */
+let visiting = false;
+
+const first = read(firstFrom, firstTo);
+let showMesh = first.mesh ?? false;
+const [from, to] = await Promise.all([Side.open("from", first.from), Side.open("to", first.to)]);
+const stores = [from.store, to.store];
 active = from;
 
 /** @type {Scheduler<Job, Result>} */
-const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), {
-  onResult,
-  onFailure: (failure) => say(failureWords(failure, outcome !== null), "invalid"),
-  onProgress: showProgress,
-  onBroken: sayBroken,
-});
-const probe = new Probe(from.view, to.view, () => outcome?.locator ?? null, (reading) => {
-  element("reading").textContent = readingWords(reading);
+const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), { ...statusOfPage, onResult, failureWords });
+const probe = new Probe(from.view, to.view, () => outcome?.carrier ?? null, (reading) => {
+  element("reading").textContent = probeWords(reading);
 });
 
 for (const side of [from, to]) side.store.subscribe((change) => onChange(side, change));
 connectControls();
 new ResizeObserver(() => refresh(true)).observe(element("panels"));
 refresh(true);
+if (!first.wrong.length) remember();
 
-/** @param {string} prefix of this side's fields @param {Document} usual @returns {Document} */
-function documentAt(prefix, usual) {
-  const { image, region } = decode(location.hash, prefix);
-  const id = image && image in photos ? image : usual.image;
-  return { image: id, region: region ?? (id === usual.image ? usual.region : photoRegion(id)) };
+/** @param {string} prefix */
+function prefixed(prefix) {
+  return Object.fromEntries(Object.entries(drawingSchema).map(([name, reader]) => [prefix + name, reader]));
 }
 
-/** @param {Side} side @param {import("../editor/store.js").Change} change */
+/** The documents that the address asks for; what it leaves out is as given. @param {import("../editor/store.js").Document} a @param {import("../editor/store.js").Document} b */
+function read(a, b) {
+  const { values, wrong } = readAddress(location.hash, schema);
+  remark(wrongWords(wrong));
+  const [left, right] = [values, values].map((all, k) => {
+    const prefix = k ? "b." : "a.";
+    return Object.fromEntries(Object.entries(all).flatMap(([name, value]) => (name.startsWith(prefix) ? [[name.slice(2), value]] : [])));
+  });
+  return { from: documentOf(left, a, frameOf), to: documentOf(right, b, frameOf), mesh: values.show?.includes("mesh"), wrong };
+}
+
+/** Goes to another address: what it says, and the rest as it is. */
+async function visit() {
+  const next = read(from.store.doc, to.store.doc);
+  const step = newStep();
+  visiting = true;
+  showMesh = next.mesh ?? showMesh;
+  if (next.from.region !== from.store.doc.region) await from.visit(next.from, step);
+  if (next.to.region !== to.store.doc.region) await to.visit(next.to, step);
+  visiting = false;
+  refresh(false);
+  if (!next.wrong.length) remember();
+}
+
+/** @param {Side} side @param {import("../common/history.js").Change} change */
 async function onChange(side, change) {
   active = side;
   await side.follow();
   refresh(change === "drag" || change === "commit", change === "drag");
+  if (change !== "drag" && !visiting) remember();
 }
 
 /** Draws the page, and computes it anew if asked to. @param {boolean} solving @param {boolean} [dragging] */
@@ -65,18 +96,16 @@ function refresh(solving, dragging = false) {
   layOut();
   draw();
   if (solving) solve(dragging);
-  if (!dragging) history.replaceState(null, "", `#${address()}`);
 }
 
-function address() {
-  const sides = [encodeDocument(from.store.doc, "a."), encodeDocument(to.store.doc, "b.")];
-  return [...sides, ...(showMesh ? ["show=mesh"] : [])].join("&");
+function remember() {
+  const sides = [encodeDrawing(from.store.doc, "a."), encodeDrawing(to.store.doc, "b.")];
+  history.replaceState(null, "", `#${[...sides, ...(showMesh ? ["show=mesh"] : [])].join("&")}`);
 }
 
 /** @param {boolean} dragging */
 function solve(dragging) {
   probe.hide();
-  if (document.body.dataset.state !== "loading") mark("working");
   const [a, b] = [from.outline, to.outline];
   scheduler.run(
     ({ tolerance, maxErrorPixels, sharpness }) => ({ from: a, to: b, tolerance, maxErrorPixels, view: to.frame(sharpness) }),
@@ -94,22 +123,18 @@ function layOut() {
 }
 
 function draw() {
-  const mesh = outcome?.result.mesh;
-  const edges = outcome?.edges;
-  const meshed = showMesh && mesh && edges;
-  from.draw({ dim: DIM, mesh: meshed ? { points: mesh.source, edges } : undefined });
-  to.draw({ dim: 0, inside: outcome?.picture, mesh: meshed ? { points: mesh.target, edges } : undefined });
-  element("mesh").setAttribute("aria-pressed", String(showMesh));
+  const mesh = showMesh ? outcome?.mesh : null;
+  const edges = mesh ? outcome?.edges : undefined;
+  from.draw({ dim: DIM, mesh: mesh && edges ? { points: mesh.source, edges } : undefined });
+  to.draw({ dim: 0, inside: outcome?.picture, mesh: mesh && edges ? { points: mesh.target, edges } : undefined });
+  press("mesh", showMesh);
+  /** @type {HTMLButtonElement} */ (element("mesh")).disabled = outcome !== null && !outcome.mesh;
 }
 
 /** @param {Result} result @param {boolean} done */
 function onResult(result, done) {
-  const [width, height] = result.view.pixels;
-  const picture = Object.assign(document.createElement("canvas"), { width, height });
-  picture.getContext("2d")?.putImageData(new ImageData(result.pixels, width, height), 0, 0);
-  outcome = { result, edges: meshEdges(result.mesh.triangles), locator: new Locator(result.mesh), picture };
+  outcome = new Outcome(result, { carry: (side, points) => scheduler.ask({ side, points }) });
   draw();
-  say("", done ? "ready" : "draft");
   if (done) showEvidence(pairRows(result.evidence));
 }
 
@@ -117,18 +142,17 @@ function connectControls() {
   element("mesh").onclick = () => {
     showMesh = !showMesh;
     refresh(false);
+    remember();
   };
-  element("bare").onclick = () => {
-    const bare = element("bare").getAttribute("aria-pressed") !== "true";
-    element("bare").setAttribute("aria-pressed", String(bare));
-    document.body.classList.toggle("bare", bare);
-  };
+  element("bare").onclick = () => press("bare", document.body.classList.toggle("bare"));
   element("swap").onclick = async () => {
     const [a, b] = [from.store.doc, to.store.doc];
-    await from.visit(b);
-    await to.visit(a);
+    const step = newStep();
+    await from.visit(b, step);
+    await to.visit(a, step);
   };
   element("save").onclick = () => saveCanvas(element("to-photo"), "regions.png");
+  element("stop").onclick = () => scheduler.stop();
   const file = /** @type {HTMLInputElement} */ (element("file"));
   for (const [name, side] of /** @type {[string, Side][]} */ ([["from", from], ["to", to]])) {
     element(`${name}-open`).onclick = () => {
@@ -136,18 +160,18 @@ function connectControls() {
       file.click();
     };
     element(`${name}-stage`).addEventListener("dragover", () => (active = side));
+    element(`${name}-undo`).onclick = () => undoLast(sharing(side, "lastStep"));
+    element(`${name}-redo`).onclick = () => redoNext(sharing(side, "nextStep"));
   }
-  acceptFiles(file, element("panels"), (chosen) =>
-    active.openFile(chosen).catch((error) => say(error instanceof Error ? error.message : String(error), "invalid")),
+  acceptFiles(file, element("panels"), (chosen) => active.openFile(chosen));
+  window.addEventListener("hashchange", visit);
+  onUndoKeys(
+    () => undoLast(stores),
+    () => redoNext(stores),
   );
-  window.addEventListener("hashchange", async () => {
-    await from.visit(documentAt("a.", firstFrom));
-    await to.visit(documentAt("b.", firstTo));
-  });
-  window.addEventListener("keydown", (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.key.toLowerCase() !== "z") return;
-    if (event.shiftKey) active.store.redo();
-    else active.store.undo();
-    event.preventDefault();
-  });
+}
+
+/** The histories that take part in a side's next step back or forth. @param {Side} side @param {"lastStep" | "nextStep"} which */
+function sharing(side, which) {
+  return stores.filter((store) => store === side.store || store[which] === side.store[which]);
 }

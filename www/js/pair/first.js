@@ -1,20 +1,17 @@
 // The two regions that the page opens with: a cat's face, and the head in a space suit that it goes into.
 
-import { regionOn } from "../editor/presets.js";
+import { toPlane } from "../common/frame.js";
+import { frameOf, photoRegion, regionOn } from "../editor/presets.js";
+import { moveCenter, moveToward } from "../editor/region.js";
 
 /** @typedef {import("../editor/store.js").Document} Document */
 
-/** @type {Document} */
+const cat = frameOf("chelsea");
+
+/** The cat's outline as on the other pages; the vector is another one. @type {Document} */
 export const firstFrom = {
   image: "chelsea",
-  region: regionOn("chelsea", {
-    outline: [
-      [34, 96], [44, 34], [96, 8], [180, 4], [262, 8], [330, 22], [362, 66], [368, 120], [352, 168], [330, 216],
-      [304, 258], [262, 284], [212, 270], [164, 236], [110, 204], [58, 168],
-    ],
-    center: [246, 136],
-    toward: [355, 159.1],
-  }),
+  region: moveToward(moveCenter(photoRegion("chelsea"), toPlane(cat, [246, 136])), toPlane(cat, [355, 159.1])),
 };
 
 /** @type {Document} */
