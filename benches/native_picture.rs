@@ -2,16 +2,17 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(missing_docs)]
 
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[path = "../tests/native/support/mod.rs"]
+#[allow(dead_code, clippy::unwrap_used, reason = "what the tests share, of which a benchmark uses a part")]
+mod support;
 
-use common::{case, solve};
 use conformal_warp::{
     Complex64, Direction, FormulaMap, Frame, JointTriangulation, Light, MeshOptions, Quality, Texture, Warp,
     WarpOptions, Wrap,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
+use support::{case, solve};
 
 const SIZE: usize = 1024;
 

@@ -2,13 +2,14 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(missing_docs)]
 
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[path = "../tests/native/support/mod.rs"]
+#[allow(dead_code, clippy::unwrap_used, reason = "what the tests share, of which a benchmark uses a part")]
+mod support;
 
-use common::{case, solve};
 use conformal_warp::Complex64;
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
+use support::{case, solve};
 
 fn solves(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("solve");

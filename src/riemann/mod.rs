@@ -1,15 +1,12 @@
 //! Riemann maps: region ↔ disk by Symm's equation, and region ↔ region through the disk.
 //!
-//! [`RiemannMap`] asks a `solved_region`, which is a `polygon` that answers through an `atlas` of charts, or a `smooth`
-//! curve; [`RegionMap`] joins two of them.
+//! [`RiemannMap`] solves (`solved`) and answers both ways, at many points, through its `atlas` of charts; [`RegionMap`]
+//! joins two of them.
 
 mod atlas;
-mod polygon;
 mod region_map;
 mod riemann_map;
-mod rounding;
-mod smooth;
-mod solved_region;
+mod solved;
 
 pub use atlas::DiskPoint;
 pub use region_map::RegionMap;

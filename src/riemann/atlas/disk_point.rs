@@ -6,9 +6,9 @@ use crate::plane::Complex64;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiskPoint {
     /// The chart.
-    pub(in super::super) chart: usize,
+    pub(super) chart: usize,
     /// The point of its disk.
-    pub(in super::super) w: Complex64,
+    pub(super) w: Complex64,
 }
 
 impl DiskPoint {

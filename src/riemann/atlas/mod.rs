@@ -28,6 +28,7 @@ mod charts;
 mod disk_builder;
 mod disk_point;
 mod disk_side;
+mod evaluator;
 mod expansions;
 mod fit;
 mod inverse_cell;
@@ -46,6 +47,5 @@ mod walls;
 mod zone;
 
 pub use disk_point::DiskPoint;
-pub use expansions::Expansions;
+pub use evaluator::Evaluator;
 pub use passage::{Compass, Passage};
-pub use position::Position;

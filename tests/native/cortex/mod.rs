@@ -1,0 +1,5 @@
+//! From the visual field to the cortex and back.
+
+mod chain;
+mod figure;
+mod recovery;

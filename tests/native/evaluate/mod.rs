@@ -1,0 +1,6 @@
+//! The solved map as a function, both ways, and between regions.
+
+mod between;
+mod both_ways;
+mod compose;
+mod exact;

@@ -1,0 +1,5 @@
+//! Maps given by formulas.
+
+mod accuracy;
+mod language;
+mod random;

@@ -1,0 +1,5 @@
+//! Joint triangulations.
+
+mod disk;
+mod pairs;
+mod regions;

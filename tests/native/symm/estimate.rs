@@ -1,0 +1,44 @@
+//! The error estimate is itself an answer: never below the true error, never more than a hundred times above it.
+
+use crate::support::{EXACT_CASES, case, exact, largest_difference, points, polygon, solve};
+use conformal_warp::{Complex64, Region};
+
+fn regions() -> Vec<(String, Region)> {
+    let names = EXACT_CASES.iter().chain(&["neck", "slot", "spike", "rect10", "rect20"]);
+    let mut regions: Vec<_> = names.map(|name| (name.to_string(), case(name).region())).collect();
+    let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+    regions.push(("L".into(), polygon(&points(&corners), Complex64::new(0.5, 0.5))));
+    for n in [3, 4, 7] {
+        regions.push((format!("{n}-gon"), exact::regular(n)));
+    }
+    regions
+}
+
+#[test]
+fn estimate_brackets_the_true_error() {
+    let mut report = String::new();
+    let mut range = (f64::INFINITY, 0.0);
+    let blobs = ["blob100", "blob300"].map(|name| (name.to_string(), case(name).region()));
+    for (name, region) in regions().into_iter().chain(blobs) {
+        let finest = match name.as_str() {
+            "blob100" => 1e-6,
+            "blob300" => 1e-4,
+            _ => 1e-11,
+        };
+        let reference = solve(&region, finest * 1e-2);
+        for tolerance in
+            [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11].into_iter().filter(|t| *t >= finest)
+        {
+            let map = solve(&region, tolerance);
+            let estimate = map.error_estimate();
+            assert!(estimate <= tolerance, "{name} stopped short of {tolerance:e}: {estimate:e}");
+            // The residual is |log|f|| at points of the boundary, where the exact value is 0: an error too.
+            let error = largest_difference(&map, &reference).max(map.residual());
+            let ratio = estimate / error;
+            range = (f64::min(range.0, ratio), f64::max(range.1, ratio));
+            report += &format!("{name} {tolerance:e}: error {error:.1e}, estimate {estimate:.1e}, ratio {ratio:.1}\n");
+        }
+    }
+    eprintln!("{report}");
+    assert!(range.0 >= 1.0 && range.1 <= 100.0, "{range:?}\n{report}");
+}

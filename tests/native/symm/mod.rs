@@ -1,0 +1,8 @@
+//! Symm's map of a region: right, robust, and honest about its error.
+
+mod convergence;
+mod estimate;
+mod exact;
+mod robust;
+mod second_method;
+mod smooth;
