@@ -80,11 +80,14 @@ export const point = (text) => /** @type {Point} */ (numbers(2)(text));
 
 /** An outline: "x,y;x,y;…", or all with commas. @type {Reader<Point[]>} */
 export const outline = (text) => {
-  const parts = text.includes(";") ? text.split(";") : (text.match(/[^,]*,[^,]*/g) ?? []);
+  const parts = text.includes(";") ? text.split(";") : inPairs(text.split(","));
   if (parts.length < 3) throw new Error("needs at least 3 points");
   if (parts.length > MOST_POINTS) throw new Error(`has ${parts.length} points; at most ${MOST_POINTS} can be edited here`);
   return parts.map(point);
 };
+
+/** "x", "y", "x", … → "x,y", … @param {string[]} texts */
+const inPairs = (texts) => texts.flatMap((text, k) => (k % 2 ? [] : [texts.slice(k, k + 2).join(",")]));
 
 /** One of some words. @template {string} T @param {Iterable<T>} allowed @returns {Reader<T>} */
 export function oneOf(allowed) {

@@ -43,8 +43,10 @@ export class Lane {
   /** Runs the job next; one that was waiting is forgotten. @param {J} job */
   request(job) {
     this.#waiting = job;
-    if (!this.#worker && this.#retry === undefined) this.#restart();
-    else if (this.#running) this.#hurry();
+    if (!this.#worker) {
+      // Where another start is under way it takes the job.
+      if (this.#retry === undefined) this.#restart();
+    } else if (this.#running) this.#hurry();
     else this.#next();
   }
 
