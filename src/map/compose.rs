@@ -1,6 +1,8 @@
 //! One map after another.
 
-use super::{InvertibleMap, Jet, PlaneMap};
+use super::inverse::InvertibleMap;
+use super::jet::Jet;
+use super::plane_map::PlaneMap;
 use crate::plane::Complex64;
 
 /// outer ∘ inner: z → outer(inner(z)), with the chain rule.

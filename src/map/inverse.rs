@@ -1,6 +1,7 @@
 //! Maps that can be run backwards.
 
-use super::{Jet, PlaneMap};
+use super::jet::Jet;
+use super::plane_map::PlaneMap;
 use crate::plane::Complex64;
 
 /// A map that knows its inverse as well.

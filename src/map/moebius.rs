@@ -1,6 +1,8 @@
 //! Möbius maps z → (az + b)/(cz + d).
 
-use super::{Inverse, InvertibleMap, Jet, PlaneMap, pointwise};
+use super::inverse::{Inverse, InvertibleMap};
+use super::jet::Jet;
+use super::plane_map::{PlaneMap, pointwise};
 use crate::plane::Complex64;
 use crate::{Error, Result};
 

@@ -1,6 +1,6 @@
 //! Circular and hyperbolic functions.
 
-use super::{ValueAndSlope, times_i, times_minus_i};
+use super::arithmetic::{ValueAndSlope, times_i, times_minus_i};
 use crate::plane::Complex64;
 
 /// (sinh x, cosh x) of a real number from one exponential, accurate for small x too.

@@ -1,6 +1,6 @@
 //! exp, log and the square root.
 
-use super::{ValueAndSlope, without_signed_zeros};
+use super::arithmetic::{ValueAndSlope, divide, without_signed_zeros};
 use crate::plane::Complex64;
 use std::f64::consts::PI;
 
@@ -49,7 +49,7 @@ pub(super) fn sin_cos_pi(x: f64) -> (f64, f64) {
 
 /// The principal logarithm, −π < Im ≤ π.
 pub fn log(z: Complex64) -> ValueAndSlope {
-    (log_value(z), super::divide(Complex64::ONE, z))
+    (log_value(z), divide(Complex64::ONE, z))
 }
 
 pub(super) fn log_value(z: Complex64) -> Complex64 {
@@ -74,7 +74,7 @@ fn order(a: f64, b: f64) -> (f64, f64) {
 /// The principal square root, Re ≥ 0.
 pub fn sqrt(z: Complex64) -> ValueAndSlope {
     let value = sqrt_c99(without_signed_zeros(z));
-    (value, super::divide(Complex64::new(0.5, 0.0), value))
+    (value, divide(Complex64::new(0.5, 0.0), value))
 }
 
 /// The square root as C99 has it: the sign of a zero imaginary part tells the side of the cut.

@@ -1,7 +1,7 @@
 //! The gamma function.
 
+use super::arithmetic::{ValueAndSlope, divide};
 use super::exponential::{exp_value, log_value, sin_cos_pi};
-use super::{ValueAndSlope, divide};
 use crate::plane::Complex64;
 use std::f64::consts::{LN_2, PI};
 

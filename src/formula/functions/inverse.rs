@@ -1,7 +1,7 @@
 //! Inverse circular and hyperbolic functions, after Kahan.
 
+use super::arithmetic::{ValueAndSlope, divide, times_i, times_minus_i, without_signed_zeros};
 use super::exponential::sqrt_c99;
-use super::{ValueAndSlope, divide, times_i, times_minus_i, without_signed_zeros};
 use crate::plane::Complex64;
 use std::f64::consts::{FRAC_PI_2, LN_2};
 

@@ -1,7 +1,7 @@
 //! Powers z^a.
 
-use super::exponential::{exp_value, log_modulus, log_value};
-use super::{divide, without_signed_zeros};
+use super::arithmetic::{ValueAndSlope, divide, without_signed_zeros};
+use super::exponential::{exp_value, log_modulus, log_value, sqrt};
 use crate::plane::Complex64;
 
 /// Whole exponents up to this size are multiplied out; each product costs half a unit in the last place.
@@ -13,7 +13,7 @@ pub fn pow(z: Complex64, a: Complex64) -> Complex64 {
 }
 
 /// z^a for one a, with its derivative a·z^(a−1).
-pub fn pow_with_slope(z: Complex64, a: Complex64) -> super::ValueAndSlope {
+pub fn pow_with_slope(z: Complex64, a: Complex64) -> ValueAndSlope {
     let value = pow(z, a);
     let slope = if a == Complex64::ZERO {
         Complex64::ZERO
@@ -33,7 +33,7 @@ fn pow_real(z: Complex64, a: f64) -> Complex64 {
         return pow_zero(a);
     }
     if a == 0.5 {
-        return super::sqrt(z).0;
+        return sqrt(z).0;
     }
     let z = without_signed_zeros(z);
     let (sin, cos) = (a * z.im.atan2(z.re)).sin_cos();

@@ -1,6 +1,8 @@
 //! Secant, cosecant, cotangent, their hyperbolic kin and the inverses of all six.
 
-use super::{ValueAndSlope, acos, acosh, asin, asinh, atan, atanh, cos, cosh, divide, sin, sinh, tan, tanh};
+use super::arithmetic::{ValueAndSlope, divide};
+use super::circular::{cos, cosh, sin, sinh, tan, tanh};
+use super::inverse::{acos, acosh, asin, asinh, atan, atanh};
 use crate::plane::Complex64;
 
 fn reciprocal(z: Complex64) -> Complex64 {
