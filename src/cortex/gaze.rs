@@ -39,7 +39,7 @@ impl Gaze {
     pub fn new(frame: &Frame, field_of_view: f64, fixation: Complex64) -> Result<Self> {
         if field_of_view.is_nan() || field_of_view <= 0.0 || field_of_view >= 180.0 {
             let expected = "more than 0 and less than 180 degrees";
-            return Err(Error::InvalidOption { name: "fieldOfView", expected, value: field_of_view });
+            return Err(Error::InvalidOption { name: "field_of_view", expected, value: field_of_view });
         }
         if !fixation.is_finite() {
             return Err(Error::NotFinite { what: "The fixation point".into() });

@@ -19,6 +19,7 @@
 mod field;
 mod gaze;
 mod half_disk;
+mod landmark;
 mod mirrored;
 mod model;
 mod outline;
@@ -28,7 +29,8 @@ mod visual_cortex;
 pub use field::{Degrees, FieldPoint};
 pub use gaze::Gaze;
 pub use half_disk::HalfDiskMap;
+pub use landmark::Landmark;
 pub use mirrored::Mirrored;
 pub use model::CorticalModel;
-pub use retino_cortical::{Landmark, RetinoCorticalMap};
+pub use retino_cortical::RetinoCorticalMap;
 pub use visual_cortex::{CorticalImage, Hemisphere, VisualCortex};

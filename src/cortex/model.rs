@@ -1,5 +1,6 @@
 //! Closed formulas for the map from visual field to V1.
 
+use super::landmark::Landmark;
 use super::outline::polygon;
 use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap, pointwise};
 use crate::plane::Complex64;
@@ -19,7 +20,7 @@ use std::f64::consts::FRAC_PI_2;
 pub struct CorticalModel {
     k: f64,
     a: f64,
-    /// Infinite for a monopole.
+    /// Where the periphery is compressed; infinite for a monopole.
     b: f64,
     shear: f64,
     extent: f64,
@@ -132,6 +133,22 @@ impl CorticalModel {
     pub fn outline(&self, vertices: usize) -> Vec<Complex64> {
         let [below, around, above] = self.rim(self.extent);
         polygon(&[&below, &around, &above], vertices.max(6))
+    }
+
+    /// The landmark by which the outline's conformal map is this model, but for its scale of eccentricity: its half disk,
+    /// scaled so that its corners go to the outline's, has `field` (a field coordinate, strictly inside the half disk) at
+    /// the model's place. For a model that is not conformal, its direction there is that of the horizontal step.
+    ///
+    /// ```
+    /// use conformal_warp::{CorticalModel, FieldPoint};
+    /// let dipole = CorticalModel::POLIMENI_2006;
+    /// let spot = dipole.landmark(FieldPoint::BLIND_SPOT.coordinate());
+    /// assert!(spot.cortex.re > 30.0 && spot.cortex.im < 0.0); // millimetres from the fovea, below the horizontal meridian
+    /// ```
+    #[must_use]
+    pub fn landmark(&self, field: Complex64) -> Landmark {
+        let jet = self.forward(self.extent * field);
+        Landmark { field, cortex: jet.value, direction: (jet.dz + jet.dzbar).arg() }
     }
 
     /// The images of the lower vertical meridian, the periphery and the upper vertical meridian, from the fovea and back.

@@ -1,6 +1,7 @@
 //! Visual hemifield → V1 of any outline: the report's three steps in one map.
 
-use super::HalfDiskMap;
+use super::half_disk::HalfDiskMap;
+use super::landmark::Landmark;
 use crate::map::compose::chain;
 use crate::map::{InvertibleMap, Jet, PlaneMap};
 use crate::plane::Complex64;
@@ -16,18 +17,6 @@ pub struct RetinoCorticalMap<M> {
     half_disk: HalfDiskMap,
     outline: M,
     landmark: Landmark,
-}
-
-/// What is known of the correspondence.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Landmark {
-    /// The landmark's field coordinate, strictly inside the right hemifield.
-    pub field: Complex64,
-    /// Its place on the cortex, in the outline's units: the outline's map takes it to 0.
-    pub cortex: Complex64,
-    /// Which way the cortex runs there as one moves away from the fovea, parallel to the horizontal meridian: radians,
-    /// counter-clockwise from the cortex plane's x axis.
-    pub direction: f64,
 }
 
 impl<M: PlaneMap> RetinoCorticalMap<M> {
@@ -115,9 +104,7 @@ mod tests {
     fn the_landmark_fixes_the_map() {
         let field = FieldPoint::BLIND_SPOT.coordinate();
         let (outline, truth) = exact(field);
-        let known = truth.jet(field);
-        let landmark = Landmark { field, cortex: known.value, direction: known.dz.arg() };
-        let map = RetinoCorticalMap::new(outline, landmark).unwrap();
+        let map = RetinoCorticalMap::new(outline, CorticalModel::POLIMENI_2006.landmark(field)).unwrap();
         for s in [field, Complex64::new(0.02, 0.01), Complex64::new(0.3, -0.8), Complex64::new(0.9, 0.1)] {
             let (found, expected) = (map.jet(s), truth.jet(s));
             assert!(

@@ -36,13 +36,13 @@ const MODEL_VERTICES: usize = 720;
 pub type CorticalImage = Compose<Inverse<Gaze>, Compose<Inverse<Degrees>, Inverse<VisualCortex>>>;
 
 impl VisualCortex {
-    /// By a closed formula.
+    /// The cortex of a closed formula.
     #[must_use]
     pub fn from_model(model: CorticalModel, hemisphere: Hemisphere) -> Self {
         Self::of_left(model, model.outline(MODEL_VERTICES), hemisphere)
     }
 
-    /// By the conformal map of an outline, which is that of a left hemisphere.
+    /// The cortex of an outline, which is that of a left hemisphere, by its conformal map.
     #[must_use]
     pub fn from_outline(map: RetinoCorticalMap<RiemannMap>, hemisphere: Hemisphere) -> Self {
         let outline = map.outline().region().polygon().vertices().to_vec();
@@ -83,7 +83,7 @@ impl VisualCortex {
         let dots = [high.re - low.re, high.im - low.im].map(|length| (length * dots_per_millimetre).ceil());
         if !dots.iter().all(|dots| (1.0..=8192.0).contains(dots)) {
             let expected = "positive, and such that the cortex has 8192 pixels a side at most";
-            return Err(Error::InvalidOption { name: "dotsPerMillimetre", expected, value: dots_per_millimetre });
+            return Err(Error::InvalidOption { name: "dots_per_millimetre", expected, value: dots_per_millimetre });
         }
         Frame::new(0.5 * (low + high), dots[0] / dots_per_millimetre, dots.map(|dots| dots as usize))
     }

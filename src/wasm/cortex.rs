@@ -5,15 +5,15 @@ use super::foveated::FoveatedTexture;
 use super::options::{self, FrameOptions, Point};
 use super::overlay::{self, OverlayOptions};
 use super::points;
-use super::prepared::{self, PreparedWarp};
+use super::prepared::PreparedWarp;
 use super::riemann::RiemannMap;
 use super::texture::Texture;
-use super::warp::{self, DrawOptions, PaintContext};
+use super::warp::{self, DrawOptions};
 use crate::cortex::{self, CorticalModel, FieldPoint, Gaze, Hemisphere, Landmark, VisualCortex};
 use crate::map::{InvertibleMap, Jet, PlaneMap};
-use crate::plane::Frame;
+use crate::plane::{Complex64, Frame};
 use crate::warp::{Direction, Quality, WarpOptions, recovery};
-use js_sys::{Array, Uint8ClampedArray};
+use js_sys::{Array, Object, Reflect, Uint8ClampedArray};
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -127,7 +127,7 @@ impl RetinoCorticalMap {
     /// Throws "invalid-map" if the landmark is not inside the right half of the field, or "invalid-option".
     pub fn outline(map: &RiemannMap, options: Ts<LandmarkOptions>) -> Result<Self, Failure> {
         let LandmarkOptions { landmark, direction, hemisphere } = options::read(&options)?;
-        let field = landmark.map_or(FieldPoint::BLIND_SPOT, |z| FieldPoint::from_degrees(z.into()));
+        let field = field_point(landmark.map(Into::into));
         let cortex = map.inner().region().center();
         let landmark = Landmark { field: field.coordinate(), cortex, direction };
         let chain = cortex::RetinoCorticalMap::new(map.inner().clone(), landmark)?;
@@ -145,6 +145,23 @@ impl RetinoCorticalMap {
         #[wasm_bindgen(unchecked_param_type = "Count")] vertices: usize,
     ) -> Result<Vec<f64>, Failure> {
         Ok(points::to_flat(&options::read(&options)?.model()?.outline(vertices)))
+    }
+
+    /// The landmark by which `outline` makes of `modelOutline` the closed formula's map again, but for its scale of
+    /// eccentricity: the place of `landmark` (the blind spot by default, in degrees) on the cortex, to be the region's
+    /// center, and the direction of the horizontal meridian there.
+    ///
+    /// Throws "invalid-map" or "invalid-option".
+    #[wasm_bindgen(js_name = modelLandmark, unchecked_return_type = "{ center: [x: number, y: number], direction: number }")]
+    pub fn model_landmark(options: Ts<CorticalModelOptions>, landmark: Option<Ts<Point>>) -> Result<Object, Failure> {
+        let model = options::read(&options)?.model()?;
+        let landmark = landmark.map(|point| options::read_point("landmark", &point)).transpose()?;
+        let Landmark { cortex, direction, .. } = model.landmark(field_point(landmark).coordinate());
+        let found = Object::new();
+        // Setting a property of an object that was just made does not fail.
+        let _ = Reflect::set(&found, &"center".into(), &points::pair(cortex));
+        let _ = Reflect::set(&found, &"direction".into(), &direction.into());
+        Ok(found)
     }
 
     /// Visual field → cortex; NaN in the other half of the field.
@@ -217,14 +234,6 @@ pub struct CorticalImage(cortex::CorticalImage);
 
 #[wasm_bindgen]
 impl CorticalImage {
-    /// The picture on the cortex: RGBA bytes with straight alpha; `out`, filled, if it was given. The view is a frame of
-    /// the cortex in millimetres.
-    ///
-    /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
-    pub fn warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
-        warp::warp(&self.0, Direction::PullBack, texture, &options)
-    }
-
     /// `warp` of a foveated texture, each of whose levels has its own frame: `options.texture` is not used.
     ///
     /// Throws as `warp` does.
@@ -251,21 +260,6 @@ impl CorticalImage {
         Ok(PreparedWarp::new(texture.inner().prepare(&self.0, &options)?))
     }
 
-    /// `warp`, onto a canvas.
-    ///
-    /// Throws as `warp` does, and what the context throws.
-    pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
-        warp::paint(&self.0, Direction::PullBack, context, texture, &options)
-    }
-
-    /// `warp` with all but the sampling done, for pictures that change. `out` is not used.
-    ///
-    /// Throws as `warp` does.
-    #[wasm_bindgen(js_name = prepareWarp)]
-    pub fn prepare_warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<PreparedWarp, Failure> {
-        prepared::prepare(&self.0, Direction::PullBack, texture, &options)
-    }
-
     /// The half of the picture that this cortex sees, as far as it can be recovered from the cortical image: that is kept on
     /// the pixels of `options.cortex` and drawn back. RGBA bytes; added to `out`, if it was given: the other hemisphere's.
     ///
@@ -289,6 +283,17 @@ impl CorticalImage {
         let cortex = points::from_flat("The points", cortex)?;
         Ok(values(cortex.len(), |jets| self.0.jets(&cortex, jets)))
     }
+}
+
+warp::warp_methods! {
+    CorticalImage, Direction::PullBack,
+    " The picture on the cortex: RGBA bytes with straight alpha; `out`, filled, if it was given. The view is a frame of"
+    " the cortex in millimetres."
+}
+
+/// A point of the field in degrees, the blind spot by default.
+fn field_point(degrees: Option<Complex64>) -> FieldPoint {
+    degrees.map_or(FieldPoint::BLIND_SPOT, FieldPoint::from_degrees)
 }
 
 fn values(count: usize, fill: impl FnOnce(&mut [Jet])) -> Vec<f64> {

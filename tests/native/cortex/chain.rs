@@ -3,8 +3,8 @@
 
 use crate::support::{largest, solve};
 use conformal_warp::{
-    Complex64, Compose, CorticalModel, Curve, FieldPoint, Frame, InvertibleMap, Jet, Landmark, Light, Moebius,
-    PlaneMap, Region, RetinoCorticalMap, RiemannMap, Texture, Warp, WarpOptions, Wrap,
+    Complex64, Compose, CorticalModel, Curve, FieldPoint, Frame, InvertibleMap, Jet, Light, Moebius, PlaneMap, Region,
+    RetinoCorticalMap, RiemannMap, Texture, Warp, WarpOptions, Wrap,
 };
 
 fn jets(map: &impl PlaneMap, points: &[Complex64]) -> Vec<Jet> {
@@ -40,11 +40,10 @@ fn errors(vertices: usize) -> [f64; 2] {
 /// Half disk → cortex, through Symm's map of an outline of so many vertices, solved to a tolerance.
 fn chain(vertices: usize, tolerance: f64) -> RetinoCorticalMap<RiemannMap> {
     let field = FieldPoint::BLIND_SPOT.coordinate();
-    let known = truth().jet(field);
+    let landmark = CorticalModel::POLIMENI_2006.landmark(field);
     let outline = CorticalModel::POLIMENI_2006.outline(vertices);
     assert_eq!(outline.len(), vertices);
-    let region = Region::new(&outline, Curve::Polygon, known.value, outline[0]).expect("the outline is simple");
-    let landmark = Landmark { field, cortex: known.value, direction: known.dz.arg() };
+    let region = Region::new(&outline, Curve::Polygon, landmark.cortex, outline[0]).expect("the outline is simple");
     RetinoCorticalMap::new(solve(&region, tolerance), landmark).expect("the blind spot is inside")
 }
 

@@ -7,8 +7,8 @@ use crate::support::picture::fixture_photo;
 use crate::support::{fixture, solve};
 use conformal_warp::warp::recovery;
 use conformal_warp::{
-    Complex64, Compose, CorticalImage, CorticalModel, Curve, FieldPoint, FoveatedTexture, Frame, Gaze, Hemisphere,
-    Landmark, Light, Moebius, PlaneMap, Region, RetinoCorticalMap, Texture, VisualCortex, WarpOptions, Wrap,
+    Complex64, CorticalImage, CorticalModel, Curve, FieldPoint, FoveatedTexture, Frame, Gaze, Hemisphere, Light,
+    Region, RetinoCorticalMap, Texture, VisualCortex, WarpOptions, Wrap,
 };
 use std::path::PathBuf;
 
@@ -20,12 +20,9 @@ const WIDTH: usize = 2 * HEMISPHERE[0] + SCENE[0];
 /// The outline of a dipole with human V1's mean area, and the blind spot where corners of the field go to its corners.
 fn human(hemisphere: Hemisphere) -> VisualCortex {
     let dipole = CorticalModel::POLIMENI_2006.with_area(2643.0).unwrap();
-    let degrees = Moebius::new(90.0.into(), Complex64::ZERO, Complex64::ZERO, Complex64::ONE).unwrap();
-    let field = FieldPoint::BLIND_SPOT.coordinate();
-    let there = Compose { outer: dipole, inner: degrees }.jet(field);
+    let landmark = dipole.landmark(FieldPoint::BLIND_SPOT.coordinate());
     let outline = dipole.outline(120);
-    let region = Region::new(&outline, Curve::Polygon, there.value, outline[0]).unwrap();
-    let landmark = Landmark { field, cortex: there.value, direction: there.dz.arg() };
+    let region = Region::new(&outline, Curve::Polygon, landmark.cortex, outline[0]).unwrap();
     VisualCortex::from_outline(RetinoCorticalMap::new(solve(&region, 1e-7), landmark).unwrap(), hemisphere)
 }
 
