@@ -49,7 +49,7 @@ pub enum Error {
     /// A numeric option outside its range.
     #[error("{name} must be {expected}; it is {value}.")]
     InvalidOption {
-        /// The option's name as the caller wrote it.
+        /// The option's name, in snake case; at the edge to JavaScript it becomes camel case.
         name: &'static str,
         /// What would be accepted.
         expected: &'static str,

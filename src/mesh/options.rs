@@ -62,7 +62,7 @@ impl MeshOptions {
     pub(crate) fn check(&self) -> Result<()> {
         let (name, value) = match self.density {
             Density::Spacing(spacing) => ("spacing", spacing),
-            Density::MaxError { pixels, .. } => ("maxErrorPixels", pixels),
+            Density::MaxError { pixels, .. } => ("max_error_pixels", pixels),
         };
         if value.is_finite() && value > 0.0 {
             Ok(())

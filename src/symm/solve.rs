@@ -116,7 +116,7 @@ fn order_for(options: &SolveOptions, panels: usize) -> Result<Order> {
     let p = best.min(options.max_unknowns / panels);
     if p < 2 {
         return Err(Error::InvalidOption {
-            name: "maxUnknowns",
+            name: "max_unknowns",
             expected: "at least two for each panel, of which a vertex needs two or more",
             value: options.max_unknowns as f64,
         });

@@ -1,10 +1,14 @@
 //! Full detail where the eye looks, without the whole picture in memory: a stack of pictures of one scene.
 
+use super::buffer;
 use super::crop::Crop;
+use super::light::Light;
+use super::options::{WarpOptions, Wrap};
 use super::prepared::PreparedWarp;
 use super::render::TexelGrid;
 use super::sampler::{self, Row};
-use super::{Light, Texture, Warp, WarpOptions, Wrap};
+use super::texture::{PICTURE, Texture};
+use super::warping::Warp;
 use crate::plane::{Complex64, Frame};
 use crate::{Error, Result};
 
@@ -43,10 +47,7 @@ impl FoveatedTexture {
     /// [`FoveatedTexture::crops`].
     pub fn around(rgba: &[u8], picture: &Frame, fixation: Complex64, side: usize, light: Light) -> Result<Self> {
         let [width, height] = picture.pixels();
-        if rgba.len() != 4 * width * height {
-            let expected = format!("4 x {width} x {height}");
-            return Err(Error::WrongLength { what: "The picture's RGBA bytes", expected, found: rgba.len() });
-        }
+        buffer::check(PICTURE, rgba.len(), [width, height])?;
         let level = |crop: &Crop| {
             let pixels = crop.pixels(rgba, [width, height], light.tables());
             Ok((Texture::new(&pixels, side, side, Wrap::Transparent, light)?, crop.frame(picture)?))
@@ -95,7 +96,7 @@ impl FoveatedTexture {
     /// # Errors
     /// As [`Warp::warp_into`].
     pub fn warp<M: Warp + ?Sized>(&self, map: &M, options: &WarpOptions) -> Result<Vec<u8>> {
-        let mut out = vec![0; options.output_len()?];
+        let mut out = buffer::blank(options.output_size()?)?;
         self.warp_into(map, options, &mut out)?;
         Ok(out)
     }
@@ -209,7 +210,7 @@ impl Scratch {
         line.as_chunks::<4>().0.iter().any(|pixel| pixel[3] < 255)
     }
 
-    /// The row's footprints in the layer's texels, where it shows something that is not hidden. Whether it does anywhere.
+    /// The row's footprints in the layer's texels, where it shows something that is not hidden; returns whether it does anywhere.
     fn place(&mut self, layer: &Layer, row: Row<'_>, line: &[u8]) -> bool {
         let Self { u, v, level, jacobian, shares, .. } = self;
         let moved = |plane: &mut Vec<f32>, from: &[f32], scale: f32, shift: f32| {

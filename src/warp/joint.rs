@@ -1,25 +1,22 @@
 //! Warping by a joint triangulation.
 
-use super::{PreparedWarp, Texture, TriangleMesh, Warp, WarpOptions};
+use super::mesh::TriangleMesh;
+use super::options::WarpOptions;
+use super::strip::Strip;
+use super::texture::Texture;
+use super::warping::Warp;
 use crate::Result;
 use crate::mesh::JointTriangulation;
 
 impl Warp for JointTriangulation {
     /// Source → target, affine in each triangle; the mip level follows the magnification at the nodes.
-    fn warp_into(&self, texture: &Texture, options: &WarpOptions, out: &mut [u8]) -> Result<()> {
-        triangles(self).warp_into(texture, options, out)
-    }
-
-    fn prepare(&self, texture: &Texture, options: &WarpOptions) -> Result<PreparedWarp> {
-        triangles(self).prepare(texture, options)
-    }
-}
-
-fn triangles(mesh: &JointTriangulation) -> TriangleMesh<'_> {
-    TriangleMesh {
-        source: mesh.source(),
-        target: mesh.target(),
-        triangles: mesh.triangles(),
-        stretch: Some(mesh.magnification()),
+    fn footprints(&self, texture: &Texture, options: &WarpOptions, each: &mut dyn FnMut(&Strip)) -> Result<()> {
+        let mesh = TriangleMesh {
+            source: self.source(),
+            target: self.target(),
+            triangles: self.triangles(),
+            stretch: Some(self.magnification()),
+        };
+        mesh.footprints(texture, options, each)
     }
 }

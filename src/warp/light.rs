@@ -59,13 +59,14 @@ fn srgb_to_linear(share: f64) -> f64 {
     if share <= 0.04045 { share / 12.92 } else { ((share + 0.055) / 1.055).powf(2.4) }
 }
 
+/// The other way.
+pub(super) fn linear_to_srgb(light: f64) -> f64 {
+    if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn linear_to_srgb(light: f64) -> f64 {
-        if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }
-    }
 
     #[test]
     fn tables_are_exact_to_half_a_level_both_ways() {

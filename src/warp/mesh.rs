@@ -1,11 +1,12 @@
 //! Warping by a joint triangulation: the same triangles on two sets of points, affine on each.
 
+use super::options::{Direction, WarpOptions};
 use super::outline::{Coverage, OutlineEdge, outline};
-use super::prepared::Reach;
 use super::raster::{Corner, Overlap, Triangle, span_of};
-use super::render::{Footprints, TexelGrid, each_strip, render};
+use super::render::{Footprints, TexelGrid, each_strip};
 use super::strip::{self, Strip};
-use super::{Direction, PreparedWarp, Texture, Warp, WarpOptions};
+use super::texture::Texture;
+use super::warping::Warp;
 use crate::plane::{Complex64, Frame};
 use crate::{Error, Result};
 
@@ -44,17 +45,7 @@ pub struct TriangleMesh<'a> {
 }
 
 impl Warp for TriangleMesh<'_> {
-    fn warp_into(&self, texture: &Texture, options: &WarpOptions, out: &mut [u8]) -> Result<()> {
-        render(texture, options, out, |each| self.strips(texture, options, each))
-    }
-
-    fn prepare(&self, texture: &Texture, options: &WarpOptions) -> Result<PreparedWarp> {
-        PreparedWarp::record(texture, options, Reach::of(texture), |each| self.strips(texture, options, each))
-    }
-}
-
-impl TriangleMesh<'_> {
-    fn strips(&self, texture: &Texture, options: &WarpOptions, each: &mut dyn FnMut(&Strip)) -> Result<()> {
+    fn footprints(&self, texture: &Texture, options: &WarpOptions, each: &mut dyn FnMut(&Strip)) -> Result<()> {
         self.validate()?;
         let (view, shown, towards_view) = match options.direction {
             Direction::PushForward => (self.target, self.source, 1.0),
@@ -73,7 +64,9 @@ impl TriangleMesh<'_> {
         let mut raster = MeshRaster::new(&corners, self.triangles, &options.view, Overlap::Later);
         each_strip(options, &mut raster, each)
     }
+}
 
+impl TriangleMesh<'_> {
     /// Checks lengths and node numbers.
     fn validate(&self) -> Result<()> {
         let nodes = self.source.len();

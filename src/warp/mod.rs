@@ -8,7 +8,19 @@
 //! PlaneMap, pushed forward ─► mesh of the texture ─┐   ▼
 //! TriangleMesh ────────────────────────────────────┴► footprints ─► sampler (nearest … best) ─► RGBA
 //! ```
+//! In the order of the computation:
+//! - [`options`] says what is wanted; [`buffer`] checks and makes room for pixels;
+//! - [`texture`] is the picture: [`texel`]s in the [`pyramid`]'s levels, averaged as [`light`];
+//! - [`warping`] is what all warps share: footprints go by [`strip`]s to the [`sampler`], or into a [`prepared`] warp;
+//!   [`render`] is the loop over the strips;
+//! - [`plane_map`] is the warp of a map: [`pull_back`] asks it for a [`node`] at the corners of blocks, which [`refine`]
+//!   subdivides until a [`patch`] fits; [`push_forward`] meshes the texture's frame ([`source_mesh`]);
+//! - [`mesh`] is the warp of triangles: [`raster`] converts them, [`outline`] and [`union`] say how much of a pixel they
+//!   cover; [`joint`] draws a joint triangulation;
+//! - [`foveated`] stacks textures, made of [`crop`]s; [`recovery`] goes there and back;
+//! - [`overlay`] draws what explains a map, in colours of the [`palette`].
 
+pub(crate) mod buffer;
 mod crop;
 mod foveated;
 mod joint;
@@ -20,6 +32,7 @@ mod outline;
 mod overlay;
 mod palette;
 mod patch;
+mod plane_map;
 mod prepared;
 mod pull_back;
 mod push_forward;
@@ -34,69 +47,13 @@ mod strip;
 mod texel;
 mod texture;
 mod union;
+mod warping;
 
 pub use foveated::FoveatedTexture;
 pub use light::Light;
 pub use mesh::TriangleMesh;
-pub use options::{Direction, Quality, WarpOptions};
+pub use options::{Direction, Quality, WarpOptions, Wrap};
 pub use overlay::{Overlay, Stroke};
 pub use prepared::PreparedWarp;
-pub use texture::{Texture, Wrap};
-
-use crate::Result;
-use crate::map::PlaneMap;
-use prepared::Reach;
-use strip::Strip;
-
-/// What can move a picture.
-pub trait Warp {
-    /// Draws `texture` as the map shows it into `out`: RGBA bytes with straight alpha, 4 · columns · rows of them for
-    /// the rows of the view that the options name. Every byte of `out` is written.
-    ///
-    /// # Errors
-    /// [`crate::Error::WrongLength`] if `out` does not fit, [`crate::Error::InvalidRows`], and those of the map.
-    fn warp_into(&self, texture: &Texture, options: &WarpOptions, out: &mut [u8]) -> Result<()>;
-
-    /// What [`Warp::warp_into`] finds out before it looks at a texel: for pictures that change under a map and a view that
-    /// do not. It is good for all textures of the size and wrap mode of `texture`.
-    ///
-    /// # Errors
-    /// [`crate::Error::InvalidRows`], and those of the map.
-    fn prepare(&self, texture: &Texture, options: &WarpOptions) -> Result<PreparedWarp>;
-
-    /// [`Warp::warp_into`], into a new vector.
-    ///
-    /// # Errors
-    /// As [`Warp::warp_into`].
-    fn warp(&self, texture: &Texture, options: &WarpOptions) -> Result<Vec<u8>> {
-        let mut out = vec![0; options.output_len()?];
-        self.warp_into(texture, options, &mut out)?;
-        Ok(out)
-    }
-}
-
-impl<M: PlaneMap + ?Sized> Warp for M {
-    fn warp_into(&self, texture: &Texture, options: &WarpOptions, out: &mut [u8]) -> Result<()> {
-        render::render(texture, options, out, |each| strips(self, texture, options, each))
-    }
-
-    fn prepare(&self, texture: &Texture, options: &WarpOptions) -> Result<PreparedWarp> {
-        PreparedWarp::record(texture, options, Reach::of(texture), |each| strips(self, texture, options, each))
-    }
-}
-
-/// Hands on the strips of a map's warp.
-fn strips<M: PlaneMap + ?Sized>(
-    map: &M,
-    texture: &Texture,
-    options: &WarpOptions,
-    each: &mut dyn FnMut(&Strip),
-) -> Result<()> {
-    match options.direction {
-        Direction::PullBack => pull_back::pull_back(map, texture, options, each),
-        Direction::PushForward => match map.inverse() {
-            Some(inverse) => pull_back::pull_back(&*inverse, texture, options, each),
-            None => push_forward::push_forward(map, texture, options, each),
-        },
-    }
-}
+pub use texture::Texture;
+pub use warping::Warp;

@@ -1,4 +1,4 @@
-//! How a picture is to be warped: frames, direction, quality, rows.
+//! How a picture is to be warped: frames, direction, quality, wrap mode, rows.
 
 use crate::plane::Frame;
 use crate::{Error, Result};
@@ -36,6 +36,25 @@ pub enum Quality {
     Best,
 }
 
+/// What lies beyond the edges of a texture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    target_arch = "wasm32",
+    derive(serde::Deserialize, serde::Serialize, tsify::Tsify),
+    serde(rename_all = "lowercase")
+)]
+pub enum Wrap {
+    /// Nothing.
+    #[default]
+    Transparent,
+    /// The nearest edge texel.
+    Clamp,
+    /// The picture again.
+    Repeat,
+    /// The picture, reflected at each edge.
+    Mirror,
+}
+
 /// Everything about a warp but the map and the texture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WarpOptions {
@@ -71,11 +90,20 @@ impl WarpOptions {
         }
     }
 
+    /// Columns and rows that will be drawn.
+    ///
+    /// # Errors
+    /// As [`WarpOptions::checked_rows`].
+    pub fn output_size(&self) -> Result<[usize; 2]> {
+        Ok([self.view.pixels()[0], self.checked_rows()?.len()])
+    }
+
     /// Bytes that the output needs: 4 a pixel.
     ///
     /// # Errors
     /// As [`WarpOptions::checked_rows`].
     pub fn output_len(&self) -> Result<usize> {
-        Ok(4 * self.view.pixels()[0] * self.checked_rows()?.len())
+        let [columns, rows] = self.output_size()?;
+        Ok(4 * columns * rows)
     }
 }

@@ -1,7 +1,7 @@
 //! The outline of a set of triangles: its edges, and how much of each pixel lies inside.
 
 use super::strip::Strip;
-use super::union::{self, Piece};
+use super::union::{self, EdgePiece, add_upright};
 
 /// An edge of the outline: its ends and the triangle that it bounds, which lies to its left (y down: to its right).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ pub(super) struct Coverage {
     cells: Vec<f32>,
     touched: Vec<bool>,
     /// The edges again, for rows in which sheets overlap.
-    pieces: Vec<Piece>,
+    pieces: Vec<EdgePiece>,
     width: usize,
     first_row: usize,
     rows: usize,
@@ -92,7 +92,7 @@ impl Coverage {
             let (start, end) = if y1 > y0 { (at(enter), at(leave)) } else { (x0, x1) };
             let (top, row) = (row as f64, row - self.first_row);
             let (heights, sheets) = ([enter - top, leave - top], if sign > 0.0 { 1 } else { -1 });
-            self.pieces.push(Piece { row, heights, columns: [start, end], sheets });
+            self.pieces.push(EdgePiece { row, heights, columns: [start, end], sheets });
             self.add_piece(row, start, end, sign * (leave - enter));
             let limit = |x: f64| x.clamp(0.0, self.width as f64) as usize;
             visit(row, limit(start.min(end).floor())..limit(start.max(end).floor() + 1.0));
@@ -164,18 +164,6 @@ impl Coverage {
             sum += *cell;
             *cell = sum.abs();
         }
-    }
-}
-
-/// Adds an upright edge at column x, `height` high, to a row of cells: to its own cell the part on its right, to the next
-/// one the rest, and so to the running sum of all further ones.
-pub(super) fn add_upright(cells: &mut [f32], x: f64, height: f64) {
-    let x = x.max(0.0);
-    let cell = x as usize;
-    if cell + 2 < cells.len() {
-        let inside = x.floor() + 1.0 - x;
-        cells[cell] += (height * inside) as f32;
-        cells[cell + 1] += (height * (1.0 - inside)) as f32;
     }
 }
 

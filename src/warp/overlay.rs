@@ -3,6 +3,7 @@
 //! Lines are level sets of a real function u of f(p). Their distance in pixels is the distance in u divided by |∇u|, which
 //! the map's exact derivative gives: so every line is as wide as asked for, wherever the map takes it.
 
+use super::buffer;
 use super::palette::{self, Rgb};
 use crate::map::{Jet, PlaneMap};
 use crate::plane::{Complex64, Frame};
@@ -92,10 +93,7 @@ impl Overlay {
         if rows.start > rows.end || rows.end > height {
             return Err(Error::InvalidRows { start: rows.start, end: rows.end, height });
         }
-        let expected = 4 * columns * rows.len();
-        if rgba.len() != expected {
-            return Err(Error::WrongLength { what: "The overlay", expected: expected.to_string(), found: rgba.len() });
-        }
+        buffer::check("The overlay", rgba.len(), [columns, rows.len()])?;
         let mut points = vec![Complex64::ZERO; columns];
         let mut jets = vec![Jet::UNDEFINED; columns];
         for (row, line) in rows.zip(rgba.chunks_exact_mut(4 * columns)) {
@@ -118,16 +116,18 @@ impl Overlay {
         }
         match *self {
             Self::Cartesian { spacing, stroke } => {
-                let lines = [Level::real(jet), Level::imaginary(jet)].map(|u| u.lines(spacing, size, stroke.width));
+                let lines = [RealFunction::real(jet), RealFunction::imaginary(jet)]
+                    .map(|u| u.lines(spacing, size, stroke.width));
                 stroke.paint(union(lines))
             }
             Self::Polar { spokes, stroke } => {
                 let step = TAU / f64::from(spokes);
-                let lines = [Level::log_modulus(jet), Level::argument(jet)].map(|u| u.lines(step, size, stroke.width));
+                let lines = [RealFunction::log_modulus(jet), RealFunction::argument(jet)]
+                    .map(|u| u.lines(step, size, stroke.width));
                 stroke.paint(union(lines))
             }
             Self::Circle { radius, stroke } => {
-                stroke.paint(Level::log_modulus(jet).line(radius.ln(), size, stroke.width))
+                stroke.paint(RealFunction::log_modulus(jet).line(radius.ln(), size, stroke.width))
             }
             Self::Stretch { doublings, opacity } => {
                 let stretch = jet.stretch();
@@ -185,12 +185,12 @@ impl Stroke {
 
 /// A real function at a pixel: its value and the length of its gradient in plane units.
 #[derive(Clone, Copy)]
-struct Level {
+struct RealFunction {
     value: f64,
     gradient: f64,
 }
 
-impl Level {
+impl RealFunction {
     fn real(jet: &Jet) -> Self {
         Self::new(jet.value.re, Complex64::ONE, jet)
     }
@@ -238,7 +238,7 @@ fn union([a, b]: [f64; 2]) -> f64 {
 }
 
 fn argument_color(jet: &Jet, size: f64) -> Rgb {
-    let level = Level::log_modulus(jet);
+    let level = RealFunction::log_modulus(jet);
     // Waves shorter than a few pixels would alias.
     let wavelength = LN_2 / (level.gradient * size);
     let depth = 0.07 * ((wavelength - 3.0) / 6.0).clamp(0.0, 1.0);

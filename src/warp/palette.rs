@@ -1,5 +1,7 @@
 //! Colours for numbers.
 
+use super::light::linear_to_srgb;
+
 /// Straight sRGB.
 pub type Rgb = [f64; 3];
 
@@ -24,10 +26,7 @@ fn oklab_to_srgb(lightness: f64, a: f64, b: f64) -> Rgb {
         -1.268_438_004_6 * l + 2.609_757_401_1 * m - 0.341_319_396_5 * s,
         -0.004_196_086_3 * l - 0.703_418_614_7 * m + 1.707_614_701_0 * s,
     ]
-    .map(|linear| {
-        let linear = linear.clamp(0.0, 1.0);
-        if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
-    })
+    .map(|linear| linear_to_srgb(linear.clamp(0.0, 1.0)))
 }
 
 /// −1 … 1 → blue over white to red (ColorBrewer's RdBu, reversed).

@@ -14,7 +14,7 @@ type Cubic = [f64; 4];
 pub(super) struct Patch {
     /// Whether the map is conformal at the corners.
     conformal: bool,
-    /// For columns and rows of the texture.
+    /// The polynomials of the texture's columns and rows.
     of: [Component; 2],
 }
 
@@ -38,12 +38,12 @@ impl Component {
         Self { rows }
     }
 
-    /// Along the row at height y.
+    /// The cubic along the row at height y.
     fn row(&self, y: f64) -> Cubic {
         self.rows.map(|cubic| value(&cubic, y))
     }
 
-    /// ∂/∂y along the row at height y.
+    /// The cubic ∂/∂y along the row at height y.
     fn down(&self, y: f64) -> Cubic {
         self.rows.map(|cubic| slope(&cubic, y))
     }

@@ -1,9 +1,11 @@
 //! A warp whose geometry is done once, for a picture that changes: a camera's frames, a stack of textures.
 
+use super::buffer;
+use super::options::{Quality, WarpOptions, Wrap};
 use super::render::dim;
 use super::sampler::{self, Row};
 use super::strip::Strip;
-use super::{Quality, Texture, WarpOptions, Wrap};
+use super::texture::Texture;
 use crate::{Error, Result};
 use std::ops::Range;
 
@@ -64,11 +66,11 @@ struct Footprints {
 
 /// The part of the plane of texels, [left, top] to [right, bottom], beyond which there is nothing to show.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Reach(pub [[f32; 2]; 2]);
+struct Reach([[f32; 2]; 2]);
 
 impl Reach {
     /// Where a texture shows something.
-    pub fn of(texture: &Texture) -> Self {
+    fn of(texture: &Texture) -> Self {
         match texture.wrap() {
             Wrap::Transparent => Self([[0.0; 2], texture.size().map(|n| n as f32)]),
             Wrap::Clamp | Wrap::Repeat | Wrap::Mirror => Self([[f32::NEG_INFINITY; 2], [f32::INFINITY; 2]]),
@@ -89,19 +91,18 @@ impl PreparedWarp {
     pub(super) fn record(
         texture: &Texture,
         options: &WarpOptions,
-        reach: Reach,
         strips: impl FnOnce(&mut dyn FnMut(&Strip)) -> Result<()>,
     ) -> Result<Self> {
-        let rows = options.checked_rows()?;
+        let (first_row, reach) = (options.checked_rows()?.start, Reach::of(texture));
         let mut prepared = Self {
-            size: [options.view.pixels()[0], rows.len()],
+            size: options.output_size()?,
             quality: options.quality,
             texture: (texture.size(), texture.wrap()),
             spans: Vec::new(),
             footprints: Footprints::default(),
             shares: Vec::new(),
         };
-        strips(&mut |strip| prepared.add(strip, strip.first_row - rows.start, reach))?;
+        strips(&mut |strip| prepared.add(strip, strip.first_row - first_row, reach))?;
         Ok(prepared)
     }
 
@@ -141,7 +142,7 @@ impl PreparedWarp {
     /// # Errors
     /// [`Error::OtherTexture`] for one of another size or wrap mode than the one that it was prepared with.
     pub fn warp(&self, texture: &Texture) -> Result<Vec<u8>> {
-        let mut out = vec![0; 4 * self.size[0] * self.size[1]];
+        let mut out = buffer::blank(self.size)?;
         self.warp_into(texture, &mut out)?;
         Ok(out)
     }
@@ -166,10 +167,7 @@ impl PreparedWarp {
 
     /// Fills `out` span by span, and what lies between with nothing.
     pub(super) fn fill(&self, out: &mut [u8], mut draw: impl FnMut(Row<'_>, &mut [u8])) -> Result<()> {
-        let expected = 4 * self.size[0] * self.size[1];
-        if out.len() != expected {
-            return Err(Error::WrongLength { what: "The output", expected: expected.to_string(), found: out.len() });
-        }
+        buffer::check("The output", out.len(), self.size)?;
         let mut done = 0;
         for span in &self.spans {
             let bytes = span.bytes();

@@ -1,12 +1,12 @@
 //! Pull-back: the output point p shows the texture at f(p), for any map f of the plane.
 
 use super::node::{Node, Pair, Scale};
-use super::options::WarpOptions;
+use super::options::{WarpOptions, Wrap};
 use super::patch::{Patch, log2};
 use super::refine::{LARGEST, Sight, Square};
 use super::render::{Footprints, TexelGrid, each_strip};
 use super::strip::{self, Strip};
-use super::texture::{Texture, Wrap};
+use super::texture::Texture;
 use crate::Result;
 use crate::map::PlaneMap;
 
@@ -42,12 +42,12 @@ struct PullBack<'a, M: ?Sized> {
 
 impl<M: PlaneMap + ?Sized> Footprints for PullBack<'_, M> {
     fn fill(&mut self, strip: &mut Strip) {
-        let pieces = self.sight.pieces(strip.first_row / LARGEST * LARGEST);
-        for (square, patch) in &pieces.smooth {
+        let blocks = self.sight.blocks(strip.first_row / LARGEST * LARGEST);
+        for (square, patch) in &blocks.smooth {
             self.draw_patch(strip, patch, square);
         }
-        let mut edge = pixels_of(&pieces.ragged, strip);
-        edge.extend(self.draw_pixels(strip, &pixels_of(&pieces.rough, strip)));
+        let mut edge = pixels_of(&blocks.ragged, strip);
+        edge.extend(self.draw_pixels(strip, &pixels_of(&blocks.rough, strip)));
         self.draw_edge_pixels(strip, &edge);
     }
 }

@@ -1,8 +1,8 @@
 //! The levels of a mip pyramid: each half as wide and high as the one before, averaged exactly over texel areas.
 
 use super::light::Tables;
+use super::options::Wrap;
 use super::texel::{ByteTexel, LightTexel, decoded, encoded};
-use super::texture::Wrap;
 
 /// One level: where its texels lie in the pyramid's single array.
 ///
@@ -129,7 +129,7 @@ fn halve([width, height]: [usize; 2], read: impl Fn(usize, &mut [LightTexel]), c
     }
 }
 
-/// Of even sizes, each texel is the mean of four.
+/// [`halve`] for even sizes: each texel is the mean of four.
 fn halve_evenly(width: usize, read: impl Fn(usize, &mut [LightTexel]), coarse: &mut [LightTexel]) {
     let mut lines = vec![[0; 4]; 2 * width];
     let (upper, lower) = lines.split_at_mut(width);
@@ -144,7 +144,7 @@ fn halve_evenly(width: usize, read: impl Fn(usize, &mut [LightTexel]), coarse: &
     }
 }
 
-/// Of any sizes: rows first, into a line of sums, then columns.
+/// [`halve`] for any sizes: rows first, into a line of sums, then columns.
 fn halve_by_weights([width, height]: [usize; 2], read: impl Fn(usize, &mut [LightTexel]), coarse: &mut [LightTexel]) {
     let (columns, rows) = (Halving::new(width), Halving::new(height));
     let mut line = vec![[0; 4]; width];

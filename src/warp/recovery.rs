@@ -1,6 +1,10 @@
 //! There and back: what is left of a picture whose image under a map has finite resolution.
 
-use super::{Direction, Light, Texture, Warp, WarpOptions, Wrap, sampler};
+use super::light::Light;
+use super::options::{Direction, WarpOptions, Wrap};
+use super::texture::Texture;
+use super::warping::Warp;
+use super::{buffer, sampler};
 use crate::map::{Inverse, InvertibleMap};
 use crate::plane::Frame;
 use crate::{Error, Result};
@@ -45,7 +49,7 @@ pub fn recover<M: InvertibleMap>(map: &M, image: &Frame, texture: &Texture, opti
     let prepared = Inverse(map).prepare(&image_kept, &back)?;
     let draw = sampler::kernel(&image_kept, options.quality)?;
     let measure = sampler::kernel(&reached, options.quality)?;
-    let (mut out, mut shares) = (vec![0; options.output_len()?], Vec::new());
+    let (mut out, mut shares) = (buffer::blank(options.output_size()?)?, Vec::new());
     prepared.fill(&mut out, |row, line| {
         shares.resize(line.len(), 0);
         draw(&image_kept, row, line);

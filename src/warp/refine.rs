@@ -37,7 +37,7 @@ struct Block {
 
 /// What became of a row of blocks.
 #[derive(Default)]
-pub(super) struct Pieces {
+pub(super) struct Blocks {
     /// Squares over which a patch is the map.
     pub smooth: Vec<(Square, Patch)>,
     /// Squares whose pixels are to be evaluated one by one.
@@ -98,26 +98,26 @@ impl<M: PlaneMap + ?Sized> Sight<'_, M> {
         jets.iter().map(|jet| self.scale.node(jet)).collect()
     }
 
-    /// The pieces of the row of blocks whose top is row `y` of the view; nothing where the map has no values.
-    pub fn pieces(&self, y: usize) -> Pieces {
+    /// The row of blocks whose top is row `y` of the view, sorted; nothing where the map has no values.
+    pub fn blocks(&self, y: usize) -> Blocks {
         let mut blocks = self.largest_blocks(y);
-        let mut pieces = Pieces::default();
+        let mut sorted = Blocks::default();
         while !blocks.is_empty() {
             let mut unresolved = Vec::new();
             for block in blocks {
                 if let Some(patch) = block.smooth_patch() {
-                    pieces.smooth.push((block.square, patch));
+                    sorted.smooth.push((block.square, patch));
                 } else if block.square.side > SMALLEST {
                     unresolved.push(block);
                 } else if block.nodes.iter().all(Node::is_defined) {
-                    pieces.rough.push(block.square);
+                    sorted.rough.push(block.square);
                 } else if !block.is_outside() {
-                    pieces.ragged.push(block.square);
+                    sorted.ragged.push(block.square);
                 }
             }
             blocks = self.quarters(&unresolved);
         }
-        pieces
+        sorted
     }
 
     /// One row of blocks of the largest size: their nodes are a lattice of half that spacing.

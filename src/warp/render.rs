@@ -1,11 +1,12 @@
 //! The one loop behind every warp: footprints of a strip, what is done with the strip, next strip.
 
+use super::buffer;
 use super::options::WarpOptions;
 use super::sampler;
 use super::strip::{self, Strip};
 use super::texture::Texture;
+use crate::Result;
 use crate::plane::{Complex64, Frame};
-use crate::{Error, Result};
 
 /// What knows which point of the texture each pixel shows.
 pub(super) trait Footprints {
@@ -39,10 +40,7 @@ pub(super) fn render(
     out: &mut [u8],
     strips: impl FnOnce(&mut dyn FnMut(&Strip)) -> Result<()>,
 ) -> Result<()> {
-    let expected = options.output_len()?;
-    if out.len() != expected {
-        return Err(Error::WrongLength { what: "The output", expected: expected.to_string(), found: out.len() });
-    }
+    buffer::check("The output", out.len(), options.output_size()?)?;
     let (first, line) = (options.checked_rows()?.start, 4 * options.view.pixels()[0]);
     let draw = sampler::kernel(texture, options.quality)?;
     strips(&mut |strip| {

@@ -8,7 +8,8 @@ use super::options::Quality;
 pub(super) const ROWS: usize = 32;
 
 /// The footprints of up to [`ROWS`] rows, each quantity in an array of its own.
-pub(super) struct Strip {
+#[derive(Debug)]
+pub struct Strip {
     /// The view's row of the strip's first row.
     pub first_row: usize,
     /// Rows in use.

@@ -1,29 +1,12 @@
 //! A picture made ready for filtering: a mip pyramid, built once, read by every warp.
 
+use super::buffer;
 use super::light::Light;
+use super::options::Wrap;
 use super::pyramid::{self, Level};
 use super::texel::{ByteTexel, LightTexel, premultiplied};
 use crate::{Error, Result};
 use std::sync::OnceLock;
-
-/// What lies beyond the edges of a texture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(
-    target_arch = "wasm32",
-    derive(serde::Deserialize, serde::Serialize, tsify::Tsify),
-    serde(rename_all = "lowercase")
-)]
-pub enum Wrap {
-    /// Nothing.
-    #[default]
-    Transparent,
-    /// The nearest edge texel.
-    Clamp,
-    /// The picture again.
-    Repeat,
-    /// The picture, reflected at each edge.
-    Mirror,
-}
 
 /// A picture as a pyramid of premultiplied texels, each level averaged from the one above it.
 ///
@@ -38,6 +21,9 @@ pub struct Texture {
     wrap: Wrap,
     light: Light,
 }
+
+/// What errors call the bytes of a picture.
+pub(super) const PICTURE: &str = "The picture's RGBA bytes";
 
 /// A pyramid must fit into 32-bit memory beside the picture it came from.
 const MAX_TEXELS: usize = 1 << 28;
@@ -58,10 +44,11 @@ impl Texture {
     /// [`Error::TextureTooLarge`] if the pyramid would not fit into 32-bit memory.
     pub fn new(rgba: &[u8], width: usize, height: usize, wrap: Wrap, light: Light) -> Result<Self> {
         let too_large = Error::TextureTooLarge { width, height };
-        if width == 0 || height == 0 || width.checked_mul(height).and_then(|n| n.checked_mul(4)) != Some(rgba.len()) {
+        if width == 0 || height == 0 {
             let expected = format!("4 x {width} x {height} (at least one pixel)");
-            return Err(Error::WrongLength { what: "The picture's RGBA bytes", expected, found: rgba.len() });
+            return Err(Error::WrongLength { what: PICTURE, expected, found: rgba.len() });
         }
+        buffer::check(PICTURE, rgba.len(), [width, height])?;
         if width > 1 << 16 || height > 1 << 16 {
             return Err(too_large);
         }
@@ -79,11 +66,7 @@ impl Texture {
     /// # Errors
     /// [`Error::WrongLength`] unless `rgba` has as many bytes as the first picture.
     pub fn replace(&mut self, rgba: &[u8]) -> Result<()> {
-        let [width, height] = self.size();
-        if rgba.len() != 4 * width * height {
-            let expected = format!("4 x {width} x {height}");
-            return Err(Error::WrongLength { what: "The picture's RGBA bytes", expected, found: rgba.len() });
-        }
+        buffer::check(PICTURE, rgba.len(), self.size())?;
         self.fill(rgba);
         Ok(())
     }

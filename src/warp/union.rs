@@ -1,13 +1,11 @@
 //! The area that overlapping sheets cover together, along one row of pixels.
 
-use super::outline::add_upright;
-
 /// Lines across a row on which outlines are cut: between them, what is covered hardly changes.
 const LINES: usize = 16;
 
 /// The part of an outline's edge that lies in a row of pixels.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
+pub(super) struct EdgePiece {
     pub row: usize,
     /// Heights at which it begins and ends, 0 at the row's top and 1 at its bottom.
     pub heights: [f64; 2],
@@ -17,7 +15,7 @@ pub(super) struct Piece {
     pub sheets: i32,
 }
 
-impl Piece {
+impl EdgePiece {
     /// Where it crosses a height, if it does: half-open, so that a vertex counts once.
     fn crossing(&self, height: f64) -> Option<(f64, i32)> {
         let ([top, bottom], [start, end]) = (self.heights, self.columns);
@@ -28,7 +26,7 @@ impl Piece {
 
 /// What is covered by any sheet, for a row of `width` pixels: the share of those cells in which sheets overlap, and `None` for
 /// all others.
-pub(super) fn shares(pieces: &[Piece], width: usize) -> Vec<Option<f32>> {
+pub(super) fn shares(pieces: &[EdgePiece], width: usize) -> Vec<Option<f32>> {
     let mut cells = vec![0.0; width + 2];
     let mut shared = vec![false; width];
     let mut crossings: Vec<(f64, i32)> = Vec::new();
@@ -57,4 +55,16 @@ pub(super) fn shares(pieces: &[Piece], width: usize) -> Vec<Option<f32>> {
         Some(*sum)
     });
     shared.into_iter().zip(sums).map(|(shared, sum)| shared.then_some(sum)).collect()
+}
+
+/// Adds an upright edge at column x, `height` high, to a row of cells: to its own cell the part on its right, to the next
+/// one the rest, and so to the running sum of all further ones.
+pub(super) fn add_upright(cells: &mut [f32], x: f64, height: f64) {
+    let x = x.max(0.0);
+    let cell = x as usize;
+    if cell + 2 < cells.len() {
+        let inside = x.floor() + 1.0 - x;
+        cells[cell] += (height * inside) as f32;
+        cells[cell + 1] += (height * (1.0 - inside)) as f32;
+    }
 }

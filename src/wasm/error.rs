@@ -65,15 +65,33 @@ impl From<Failure> for JsValue {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        let failure = Self::new(error.code(), &error.to_string());
+        let failure = Self::new(error.code(), &message(&error));
         match error {
             Error::SelfIntersecting { first, second, at } => failure
                 .with("edges", &Array::of2(&(first as f64).into(), &(second as f64).into()))
                 .with("at", &points::pair(at).into()),
             Error::CenterOutside { center: at } | Error::Crowded { at } => failure.with("at", &points::pair(at).into()),
             Error::Syntax { position, .. } => failure.with("position", &(position as f64).into()),
-            Error::InvalidOption { name, .. } => failure.with("option", &name.into()),
+            Error::InvalidOption { name, .. } => failure.with("option", &camel_case(name).into()),
             _ => failure,
         }
     }
+}
+
+/// The error's sentence, options being named as JavaScript does.
+fn message(error: &Error) -> String {
+    let text = error.to_string();
+    match error {
+        Error::InvalidOption { name, .. } => text.replacen(name, &camel_case(name), 1),
+        _ => text,
+    }
+}
+
+fn camel_case(name: &str) -> String {
+    let mut words = name.split('_');
+    let first = words.next().unwrap_or_default().to_string();
+    words.fold(first, |text, word| {
+        let (initial, rest) = word.split_at(word.len().min(1));
+        text + &initial.to_uppercase() + rest
+    })
 }

@@ -4,9 +4,7 @@ use super::error::Failure;
 use super::options::{self, Point};
 use super::overlay::{self, OverlayOptions};
 use super::points;
-use super::prepared::{self, PreparedWarp};
-use super::texture::Texture;
-use super::warp::{self, DrawOptions, PaintContext};
+use super::warp::{self};
 use crate::warp::Direction;
 use js_sys::{Object, Uint8ClampedArray};
 use serde::Deserialize;
@@ -74,29 +72,6 @@ impl FormulaMap {
         overlay::draw(&self.0, &options)
     }
 
-    /// The texture as the formula shows it: RGBA bytes with straight alpha; `out`, filled, if it was given. A formula
-    /// pulls back unless the options say "push-forward", which draws the image of the texture's frame.
-    ///
-    /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
-    pub fn warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
-        warp::warp(&self.0, Direction::PullBack, texture, &options)
-    }
-
-    /// `warp`, onto a canvas.
-    ///
-    /// Throws as `warp` does, and what the context throws.
-    pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
-        warp::paint(&self.0, Direction::PullBack, context, texture, &options)
-    }
-
-    /// `warp` with all but the sampling done, for pictures that change. `out` is not used.
-    ///
-    /// Throws as `warp` does.
-    #[wasm_bindgen(js_name = prepareWarp)]
-    pub fn prepare_warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<PreparedWarp, Failure> {
-        prepared::prepare(&self.0, Direction::PullBack, texture, &options)
-    }
-
     /// The parameters and their present values.
     #[wasm_bindgen(getter, unchecked_return_type = "Record<string, [re: number, im: number]>")]
     pub fn params(&self) -> Result<Object, Failure> {
@@ -115,6 +90,12 @@ impl FormulaMap {
     pub fn is_analytic(&self) -> bool {
         self.0.is_analytic()
     }
+}
+
+warp::warp_methods! {
+    FormulaMap, Direction::PullBack,
+    " The texture as the formula shows it: RGBA bytes with straight alpha; `out`, filled, if it was given. A formula"
+    " pulls back unless the options say `push-forward`, which draws the image of the texture's frame."
 }
 
 impl FormulaMap {

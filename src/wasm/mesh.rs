@@ -4,13 +4,10 @@ use super::error::Failure;
 use super::memory;
 use super::options::{self, FrameOptions};
 use super::points;
-use super::prepared::{self, PreparedWarp};
 use super::riemann::RiemannMap;
-use super::texture::Texture;
-use super::warp::{self, DrawOptions, PaintContext};
+use super::warp::{self};
 use crate::mesh::{self, Density, MeshOptions, Route};
 use crate::warp::Direction;
-use js_sys::Uint8ClampedArray;
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -199,24 +196,11 @@ impl JointTriangulation {
     pub fn to_obj(&self, texture: Ts<FrameOptions>) -> Result<String, Failure> {
         Ok(self.0.to_obj(&options::read(&texture)?.try_into()?))
     }
+}
 
-    /// The texture as the mesh carries it, by default to the target: RGBA bytes with straight alpha.
-    pub fn warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
-        warp::warp(&self.0, USUAL, texture, &options)
-    }
-
-    /// [`warp`](JointTriangulation.warp) onto a canvas, whose pixel (0, 0) is the view's.
-    pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
-        warp::paint(&self.0, USUAL, context, texture, &options)
-    }
-
-    /// `warp` with all but the sampling done, for pictures that change. `out` is not used.
-    ///
-    /// Throws as `warp` does.
-    #[wasm_bindgen(js_name = prepareWarp)]
-    pub fn prepare_warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<PreparedWarp, Failure> {
-        prepared::prepare(&self.0, USUAL, texture, &options)
-    }
+warp::warp_methods! {
+    JointTriangulation, USUAL,
+    " The texture as the mesh carries it, by default to the target: RGBA bytes with straight alpha."
 }
 
 /// What the making of a joint triangulation found out about it.

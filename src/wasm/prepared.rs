@@ -5,7 +5,7 @@ use super::foveated::FoveatedTexture;
 use super::options;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
-use crate::warp::{Direction, PreparedWarp as Prepared, Warp};
+use crate::warp::{Direction, PreparedWarp as Prepared, Warp, buffer};
 use js_sys::{Array, Uint8ClampedArray};
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -68,7 +68,7 @@ impl PreparedWarp {
         let Some(out) = out else {
             return Ok(Uint8ClampedArray::from(&self.pixels[..]));
         };
-        warp::check_length(&out, self.pixels.len())?;
+        buffer::check("out", out.length() as usize, self.geometry.size())?;
         out.copy_from(&self.pixels);
         Ok(out)
     }

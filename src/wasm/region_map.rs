@@ -2,13 +2,9 @@
 
 use super::error::Failure;
 use super::points;
-use super::prepared::{self, PreparedWarp};
 use super::riemann::RiemannMap;
-use super::texture::Texture;
-use super::warp::{self, DrawOptions, PaintContext};
+use super::warp::{self};
 use crate::warp::Direction;
-use js_sys::Uint8ClampedArray;
-use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The conformal map region A → region B through the disk: center to center, `toward` to `toward`.
@@ -43,27 +39,10 @@ impl RegionMap {
         let points = points::from_flat("The points", points)?;
         Ok(points::to_flat(&self.0.derivative(&points)))
     }
+}
 
-    /// A's texture as the map shows it on B, pixel by pixel, without a mesh: RGBA bytes with straight alpha. "pull-back"
-    /// shows on A what lies on B.
-    ///
-    /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
-    pub fn warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<Uint8ClampedArray, Failure> {
-        warp::warp(&self.0, Direction::PushForward, texture, &options)
-    }
-
-    /// `warp`, onto a canvas.
-    ///
-    /// Throws as `warp` does, and what the context throws.
-    pub fn paint(&self, context: &PaintContext, texture: &Texture, options: Ts<DrawOptions>) -> Result<(), Failure> {
-        warp::paint(&self.0, Direction::PushForward, context, texture, &options)
-    }
-
-    /// `warp` with all but the sampling done, for pictures that change. `out` is not used.
-    ///
-    /// Throws as `warp` does.
-    #[wasm_bindgen(js_name = prepareWarp)]
-    pub fn prepare_warp(&self, texture: &Texture, options: Ts<DrawOptions>) -> Result<PreparedWarp, Failure> {
-        prepared::prepare(&self.0, Direction::PushForward, texture, &options)
-    }
+warp::warp_methods! {
+    RegionMap, Direction::PushForward,
+    " A's texture as the map shows it on B, pixel by pixel, without a mesh: RGBA bytes with straight alpha. `pull-back`"
+    " shows on A what lies on B."
 }

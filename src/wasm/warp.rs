@@ -3,8 +3,7 @@
 use super::error::Failure;
 use super::options::{self, FrameOptions};
 use super::texture::Texture;
-use crate::Error;
-use crate::warp::{Direction, Quality, Warp, WarpOptions};
+use crate::warp::{Direction, Quality, Warp, WarpOptions, buffer};
 use js_sys::Uint8ClampedArray;
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
@@ -82,21 +81,9 @@ pub fn draw(
         let pixels = picture(&options)?;
         return Ok(Uint8ClampedArray::from(&pixels[..]));
     };
-    check_length(&out, options.output_len()?)?;
+    buffer::check("out", out.length() as usize, options.output_size()?)?;
     out.copy_from(&picture(&options)?);
     Ok(out)
-}
-
-/// Whether the bytes to fill are as many as will be written.
-///
-/// # Errors
-/// "wrong-length".
-pub(super) fn check_length(out: &Uint8ClampedArray, expected: usize) -> Result<(), Failure> {
-    let found = out.length() as usize;
-    if found == expected {
-        return Ok(());
-    }
-    Err(Error::WrongLength { what: "out", expected: expected.to_string(), found }.into())
 }
 
 /// [`warp`], onto a canvas, whose pixel (0, 0) is the view's.
@@ -137,6 +124,51 @@ export interface PaintContext {
     putImageData(image: any, x: number, y: number): void;
 }
 ";
+
+/// Gives a class the methods `warp`, `paint` and `prepareWarp` of the map in its first field: the usual direction of this
+/// kind of map, and what `warp` shows, line by line (as strings, which the generated types quote as they are).
+macro_rules! warp_methods {
+    ($class:ident, $usual:expr, $($shows:tt)*) => {
+        #[wasm_bindgen::prelude::wasm_bindgen]
+        impl $class {
+            $(#[doc = $shows])*
+            ///
+            /// Throws "invalid-option", "invalid-frame", "invalid-rows" or "wrong-length".
+            pub fn warp(
+                &self,
+                texture: &$crate::wasm::texture::Texture,
+                options: tsify::Ts<$crate::wasm::warp::DrawOptions>,
+            ) -> Result<js_sys::Uint8ClampedArray, $crate::wasm::error::Failure> {
+                $crate::wasm::warp::warp(&self.0, $usual, texture, &options)
+            }
+
+            /// `warp`, onto a canvas, whose pixel (0, 0) is the view's.
+            ///
+            /// Throws as `warp` does, and what the context throws.
+            pub fn paint(
+                &self,
+                context: &$crate::wasm::warp::PaintContext,
+                texture: &$crate::wasm::texture::Texture,
+                options: tsify::Ts<$crate::wasm::warp::DrawOptions>,
+            ) -> Result<(), $crate::wasm::error::Failure> {
+                $crate::wasm::warp::paint(&self.0, $usual, context, texture, &options)
+            }
+
+            /// `warp` with all but the sampling done, for pictures that change. `out` is not used.
+            ///
+            /// Throws as `warp` does.
+            #[wasm_bindgen(js_name = prepareWarp)]
+            pub fn prepare_warp(
+                &self,
+                texture: &$crate::wasm::texture::Texture,
+                options: tsify::Ts<$crate::wasm::warp::DrawOptions>,
+            ) -> Result<$crate::wasm::prepared::PreparedWarp, $crate::wasm::error::Failure> {
+                $crate::wasm::prepared::prepare(&self.0, $usual, texture, &options)
+            }
+        }
+    };
+}
+pub(super) use warp_methods;
 
 #[wasm_bindgen]
 extern "C" {

@@ -1,6 +1,7 @@
 //! The sampler kernels in plain Rust, a pixel at a time: what native builds run, and what the simd kernels are held to.
 
-use super::{Fold, Kind, Pyramid, ROTATED_GRID, Row};
+use super::fold::Fold;
+use super::input::{Kind, Pyramid, ROTATED_GRID, Row};
 use crate::warp::light::{FULL, Tables};
 use crate::warp::pyramid::Level;
 use crate::warp::texel::{ByteTexel, LightTexel};

@@ -1,7 +1,9 @@
 //! Four samples between two levels of the pyramid.
 
 use super::taps::{ONE, Taps};
-use super::{Pyramid, Sums, Texel, plus};
+use super::texel::Texel;
+use super::vectors::{Sums, plus};
+use crate::warp::sampler::input::Pyramid;
 use core::arch::wasm32::*;
 
 /// The two levels that each of four samples lies between.

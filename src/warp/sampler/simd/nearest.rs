@@ -1,9 +1,9 @@
 //! The nearest texel, four pixels at a time.
 
-use super::super::Fold;
-use super::taps::ROUNDER;
 use super::texel::straightened_bytes;
-use super::{Axes, Pyramid, Row, each_four};
+use super::vectors::{Axes, ROUNDER, each_four};
+use crate::warp::sampler::fold::Fold;
+use crate::warp::sampler::input::{Pyramid, Row};
 use crate::warp::texel::ByteTexel;
 use crate::warp::texture::Texture;
 use core::arch::wasm32::*;

@@ -1,15 +1,13 @@
 //! Four bilinear samples of one level: which texels, with which weights.
 
-use super::{Sums, Texel};
+use super::texel::Texel;
+use super::vectors::{ROUNDER, Sums};
 use crate::warp::pyramid::Level;
 use core::arch::wasm32::*;
 
 /// Weights are integers that sum to this, a power of two that 16 bits hold.
 pub const ONE: f32 = (1 << WEIGHT_BITS) as f32;
 pub const WEIGHT_BITS: u32 = 14;
-
-/// Added to a number below 2²², it leaves the nearest integer in the low bits: much cheaper than a conversion.
-pub const ROUNDER: f32 = 12_582_912.0;
 
 /// Four samples of one level: the texel before each, and how far beyond it they lie.
 pub struct Taps {
@@ -88,7 +86,7 @@ impl Weights {
         self.with_sum(i32x4_sub(i32x4_splat(ONE as i32), rest))
     }
 
-    /// In the low 16 bits, where [`ROUNDER`] has none.
+    /// The first weight changed so that all sum to `whole`: in the low 16 bits, where [`ROUNDER`] has none.
     #[inline(always)]
     fn with_sum(self, whole: v128) -> Self {
         let Self([_, b, c, d]) = self;

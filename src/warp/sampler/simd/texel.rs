@@ -1,8 +1,8 @@
 //! The two kinds of texels as the kernels load them, and their sums as they become pixels.
 
-use super::taps::ROUNDER;
-use super::{Kind, Sums};
+use super::vectors::{ROUNDER, Sums};
 use crate::warp::light::{FULL, Tables};
+use crate::warp::sampler::input::Kind;
 use crate::warp::texel::{ByteTexel, LightTexel};
 use core::arch::wasm32::*;
 
@@ -45,7 +45,7 @@ fn is_opaque(pixels: v128) -> bool {
     i32x4_all_true(u32x4_ge(pixels, u32x4_splat(ALPHA)))
 }
 
-/// Of four times four numbers the byte that begins at bit `first`.
+/// The bytes that begin at bit `first` of four times four numbers.
 ///
 /// They are shifted to where they do not overlap, and then sorted: fewer steps than narrowing twice.
 #[inline(always)]

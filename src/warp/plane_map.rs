@@ -1,0 +1,22 @@
+//! Warping by a map of the plane.
+
+use super::options::{Direction, WarpOptions};
+use super::pull_back::pull_back;
+use super::push_forward::push_forward;
+use super::strip::Strip;
+use super::texture::Texture;
+use super::warping::Warp;
+use crate::Result;
+use crate::map::PlaneMap;
+
+impl<M: PlaneMap + ?Sized> Warp for M {
+    fn footprints(&self, texture: &Texture, options: &WarpOptions, each: &mut dyn FnMut(&Strip)) -> Result<()> {
+        match options.direction {
+            Direction::PullBack => pull_back(self, texture, options, each),
+            Direction::PushForward => match self.inverse() {
+                Some(inverse) => pull_back(&*inverse, texture, options, each),
+                None => push_forward(self, texture, options, each),
+            },
+        }
+    }
+}
