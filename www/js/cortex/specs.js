@@ -12,12 +12,6 @@ import { HUMAN, isOutline, models, POLIMENI } from "./models.js";
 const VERTICES = 160;
 /** The blind spot: 15° temporal, 1.5° below. */
 const BLIND_SPOT = [15, -1.5];
-/** Degrees → the stereographic half disk, its radius taken for 90: a dipole's outline is a conformal image of that too, corner for corner. */
-const onDisk = (/** @type {number} */ x, /** @type {number} */ y) => {
-  const e = Math.hypot(x, y);
-  const scale = (90 * Math.tan((e * Math.PI) / 360)) / e;
-  return [x * scale, y * scale];
-};
 
 /** @type {Map<string, Outline>} */
 const given = new Map();
@@ -28,15 +22,14 @@ export function outlineOf(name) {
   if (known) return known;
   const options = models.get(name)?.options ?? { ...POLIMENI, area: HUMAN };
   const model = RetinoCorticalMap.model(options);
-  const [right, below] = BLIND_SPOT;
-  const [x, y, ahead, up] = model.toCortex(new Float64Array([...onDisk(right, below), ...onDisk(right + 1e-3, below)]));
+  const { center, direction } = RetinoCorticalMap.modelLandmark(options);
   const [u, v] = model.toCortex(new Float64Array(BLIND_SPOT));
   model.free();
   const flat = RetinoCorticalMap.modelOutline(options, name === "own" ? 80 : VERTICES);
   /** @type {Point[]} */
   const boundary = Array.from({ length: flat.length / 2 }, (_, k) => [flat[2 * k], flat[2 * k + 1]]);
   /** @type {Outline} */
-  const outline = { kind: "outline", boundary, center: [x, y], direction: Math.atan2(up - y, ahead - x), fromFormula: Math.hypot(u - x, v - y) };
+  const outline = { kind: "outline", boundary, center, direction, fromFormula: Math.hypot(u - center[0], v - center[1]) };
   given.set(name, outline);
   return outline;
 }
