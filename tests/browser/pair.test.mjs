@@ -133,3 +133,23 @@ for (const [name, width, height] of /** @type {const} */ ([["desktop", 1440, 900
     await close();
   });
 }
+
+test("all built-in shapes go into a horseshoe: without a mesh the picture is drawn point by point, and says so", async () => {
+  const { page, errors, close } = await openRegions();
+  await page.locator("#to-choose-shape").selectOption("horseshoe");
+  for (const shape of ["", "ell", "star", "dumbbell", "coast", "slit"]) {
+    if (shape) await page.locator("#from-choose-shape").selectOption(shape);
+    await settled(page, "ready");
+    assert.equal(await page.locator("#notice").innerText(), "", shape);
+  }
+  const evidence = await page.locator("#evidence").innerText();
+  assert.match(evidence, /Triangles\s+(none\s+these maps crowd|[\d,]+)/);
+  await screenshot(page, "pair-horseshoe");
+  // The pointer still has its image at the other side.
+  const at = await middle(page.locator("#from-photo"));
+  await page.mouse.move(at.x - 90, at.y);
+  await page.mouse.move(at.x - 92, at.y);
+  await page.waitForFunction(() => /Here the photo is/.test(document.getElementById("reading")?.textContent ?? ""));
+  assert.deepEqual(errors, []);
+  await close();
+});

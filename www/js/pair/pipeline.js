@@ -18,6 +18,9 @@ import { SolvedMap } from "../editor/solved-map.js";
 
 /** A mesh whose pieces are farther off the map than this many times what was asked for is not shown. */
 const OFF = 2;
+/** Corners nearer to each other than this on the circle, in radians, may leave no room for a mesh; a coarse one is off by this. */
+const NARROW = 1e-4;
+const COARSE = 2;
 /** Rows that are drawn point by point before the page is listened to. */
 const BAND = 16;
 /** What the library says when the maps leave no room for a mesh. */
@@ -91,19 +94,35 @@ export class RegionsPipeline {
 
 /** The mesh, if there is one that keeps to what was asked for. @param {Solved} from @param {Solved} to @param {Job} job */
 function triangulate(from, to, { maxErrorPixels, view }) {
-  /** @type {JointTriangulation} */
-  let joint;
+  const crowded = [from, to].some(({ map }) => narrowest(map.angles) < NARROW);
+  // Where the boundary is crowded on the circle a coarse mesh soon tells whether a fine one is worth the time.
+  const careful = crowded && maxErrorPixels < COARSE ? [COARSE, maxErrorPixels] : [maxErrorPixels];
+  /** @type {JointTriangulation | null} */
+  let joint = null;
+  for (const pixels of careful) {
+    joint?.free();
+    joint = meshWithin(from, to, pixels, view);
+    if (!joint) return null;
+  }
+  return joint;
+}
+
+/** @param {Solved} from @param {Solved} to @param {number} maxErrorPixels @param {Frame} frame @returns {JointTriangulation | null} */
+function meshWithin(from, to, maxErrorPixels, frame) {
   try {
-    joint = JointTriangulation.regionToRegion(from.map, to.map, { maxErrorPixels, frame: view });
+    const joint = JointTriangulation.regionToRegion(from.map, to.map, { maxErrorPixels, frame });
+    const { largestErrorPixels = 0 } = joint.evidence;
+    if (largestErrorPixels <= OFF * maxErrorPixels) return joint;
+    joint.free();
+    return null;
   } catch (error) {
     if (NO_MESH.includes(/** @type {{ code?: string }} */ (error).code ?? "")) return null;
     throw error;
   }
-  const { largestErrorPixels = 0 } = joint.evidence;
-  if (largestErrorPixels <= OFF * maxErrorPixels) return joint;
-  joint.free();
-  return null;
 }
+
+/** The smallest angle between neighbours on the circle. @param {Float64Array} angles */
+const narrowest = (angles) => angles.reduce((least, angle, k) => Math.min(least, (angles[(k + 1) % angles.length] - angle + 2 * Math.PI) % (2 * Math.PI)), Infinity);
 
 /** @param {RegionMap} map @param {Texture} texture @param {Frame} frame @param {Frame} view @param {Talk} talk */
 async function pointByPoint(map, texture, frame, view, talk) {
