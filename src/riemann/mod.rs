@@ -1,12 +1,15 @@
 //! Riemann maps: region ↔ disk by Symm's equation, and region ↔ region through the disk.
 //!
-//! [`RiemannMap`] solves (`solved`) and answers both ways, at many points, through its `atlas` of charts; [`RegionMap`]
-//! joins two of them.
+//! [`RiemannMap`] asks a `solved_region`, which is a `polygon` that answers through an `atlas` of charts, or a `smooth`
+//! curve; [`RegionMap`] joins two of them.
 
 mod atlas;
+mod polygon;
 mod region_map;
 mod riemann_map;
-mod solved;
+mod rounding;
+mod smooth;
+mod solved_region;
 
 pub use atlas::DiskPoint;
 pub use region_map::RegionMap;

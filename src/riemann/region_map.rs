@@ -113,24 +113,24 @@ struct Way<'a> {
 
 impl Way<'_> {
     fn values(&self, points: &[Complex64]) -> Vec<Complex64> {
-        let (from, to) = (self.from.evaluator(), self.to.evaluator());
-        let image = |&z| to.to_region(self.passage.carry(from.to_disk(z)?).0);
+        let (from, to) = (self.from.solved(), self.to.solved());
+        let image = |&z| to.from_disk(self.passage.carry(from.to_disk(z)?).0);
         points.iter().map(|z| image(z).unwrap_or(Complex64::new(f64::NAN, f64::NAN))).collect()
     }
 
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        let (from, to) = (self.from.evaluator(), self.to.evaluator());
+        let (from, to) = (self.from.solved(), self.to.solved());
         pointwise(points, jets, |z| {
             let (point, slope) = from.to_disk_with_slope(z)?;
             let (point, carried) = self.passage.carry(point);
-            let (image, back) = to.to_region_with_slope(point)?;
+            let (image, back) = to.from_disk_with_slope(point)?;
             Some(Jet::analytic(image, slope * carried * back))
         });
     }
 
     fn boundary_point(&self, point: BoundaryPoint) -> BoundaryPoint {
-        let (from, to) = (self.from.evaluator(), self.to.evaluator());
-        let image = from.to_disk(point.point).and_then(|p| to.to_region(self.passage.carry(p.onto_circle()).0));
+        let (from, to) = (self.from.solved(), self.to.solved());
+        let image = from.to_disk(point.point).and_then(|p| to.from_disk(self.passage.carry(p.onto_circle()).0));
         match image {
             Some(image) => self.to.region().nearest(image),
             // Rounding put the point outside the region.

@@ -1,14 +1,16 @@
 //! The Riemann map of a region, by Symm's method.
 
-use super::atlas::{Compass, DiskPoint, Evaluator};
-use super::solved::Solved;
+use super::atlas::{Compass, DiskPoint, Position};
+use super::polygon::SolvedPolygon;
+use super::smooth::SolvedCurve;
+use super::solved_region::SolvedRegion;
 use crate::Result;
 use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap};
 use crate::plane::{BoundaryPoint, Complex64, Region};
 use crate::symm::correspondence::angle_of_measure;
 use crate::symm::options::{Progress, SolveOptions, Stop};
 use std::f64::consts::TAU;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// The conformal map region → unit disk with `center` ↦ 0 and `toward` ↦ 1.
 ///
@@ -28,12 +30,11 @@ use std::sync::{Arc, OnceLock};
 pub struct RiemannMap {
     region: Region,
     options: SolveOptions,
-    solution: Solved,
+    /// Shared by clones.
+    solved: Arc<dyn SolvedRegion>,
     /// Measure from vertex 0 to `toward`.
     toward_measure: f64,
     angles: Vec<f64>,
-    /// Built on first use, shared by clones.
-    evaluator: Arc<OnceLock<Evaluator>>,
 }
 
 /// Points × unknowns up to which summing directly costs less than building an evaluator (a fraction of a second).
@@ -47,7 +48,11 @@ impl RiemannMap {
     /// [`Error::InvalidOption`](crate::Error::InvalidOption), [`Error::Cancelled`](crate::Error::Cancelled), and
     /// [`Error::NegativeMass`](crate::Error::NegativeMass) if no trustworthy map was found.
     pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Result<Self> {
-        Ok(Self::new(region.clone(), options, Solved::new(region, options, progress)?))
+        let solved: Arc<dyn SolvedRegion> = match region.smooth() {
+            Some(curve) => Arc::new(SolvedCurve::solve(region, curve, options, progress)?),
+            None => Arc::new(SolvedPolygon::solve(region, options, progress)?),
+        };
+        Ok(Self::new(region.clone(), options, solved))
     }
 
     /// The map of the same region for another center and direction, from what was solved before: nothing is assembled or
@@ -58,26 +63,19 @@ impl RiemannMap {
     /// As [`RiemannMap::solve`] and [`Region::new`].
     pub fn with_center(&self, center: Complex64, toward: Complex64, progress: Progress) -> Result<Self> {
         let region = self.region.with_center(center, toward)?;
-        let solution = if center == self.region.center() {
-            self.solution.clone()
+        let solved = if center == self.region.center() {
+            Arc::clone(&self.solved)
         } else {
-            self.solution.with_center(center, &self.options, progress)?
+            self.solved.with_center(center, &self.options, progress)?
         };
-        let mut map = Self::new(region, &self.options, solution);
-        if center == self.region.center() {
-            map.evaluator = Arc::clone(&self.evaluator);
-        }
-        Ok(map)
+        Ok(Self::new(region, &self.options, solved))
     }
 
-    fn new(region: Region, options: &SolveOptions, solution: Solved) -> Self {
-        let options = options.clone();
-        let mut map =
-            Self { region, options, solution, toward_measure: 0.0, angles: Vec::new(), evaluator: Arc::default() };
-        map.toward_measure = map.solution.measure_at(map.region.toward());
-        let measures = map.solution.vertex_measures();
-        map.angles = measures.iter().map(|measure| angle_of_measure(measure - map.toward_measure)).collect();
-        map
+    fn new(region: Region, options: &SolveOptions, solved: Arc<dyn SolvedRegion>) -> Self {
+        let toward_measure = solved.measure_at(region.toward());
+        let measures = solved.vertex_measures();
+        let angles = measures.iter().map(|measure| angle_of_measure(measure - toward_measure)).collect();
+        Self { region, options: options.clone(), solved, toward_measure, angles }
     }
 
     /// The region it maps.
@@ -95,7 +93,7 @@ impl RiemannMap {
     /// Boundary of the region → angle on the circle, in [0, 2π).
     #[must_use]
     pub fn boundary_angle(&self, point: BoundaryPoint) -> f64 {
-        angle_of_measure(self.solution.measure_at(point) - self.toward_measure)
+        angle_of_measure(self.solved.measure_at(point) - self.toward_measure)
     }
 
     /// [`RiemannMap::boundary_angle`] in [0, 2π], rising all the way from `toward` round to it: rounding never carries a
@@ -103,14 +101,14 @@ impl RiemannMap {
     pub(crate) fn angle_from_toward(&self, point: BoundaryPoint) -> f64 {
         let toward = self.region.toward();
         let before = (point.edge, point.t) < (toward.edge, toward.t);
-        let measure = self.solution.measure_at(point) - self.toward_measure + if before { 1.0 } else { 0.0 };
+        let measure = self.solved.measure_at(point) - self.toward_measure + if before { 1.0 } else { 0.0 };
         TAU * measure.clamp(0.0, 1.0)
     }
 
     /// Angle on the circle → boundary of the region; the inverse of [`RiemannMap::boundary_angle`].
     #[must_use]
     pub fn boundary_point(&self, angle: f64) -> BoundaryPoint {
-        self.solution.boundary_point(&self.region, angle / TAU + self.toward_measure)
+        self.solved.boundary_point(angle / TAU + self.toward_measure)
     }
 
     /// Region → disk. NaN outside the closed region; boundary points go to the circle.
@@ -119,11 +117,11 @@ impl RiemannMap {
     /// (see [`RiemannMap::evaluator_bytes`]); from then on a million points take a fraction of a second.
     #[must_use]
     pub fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
-        if self.evaluator.get().is_none() && points.len().saturating_mul(self.unknowns()) <= DIRECT_WORK {
+        if self.solved.bytes() == 0 && points.len().saturating_mul(self.unknowns()) <= DIRECT_WORK {
             return self.to_disk_directly(points);
         }
-        let (evaluator, turn) = (self.evaluator(), self.turn());
-        points.iter().map(|&z| evaluator.to_disk(z).map_or(NOWHERE, |p| turn * evaluator.flat(p))).collect()
+        let (solved, turn) = (self.solved(), self.turn());
+        points.iter().map(|&z| solved.to_disk(z).map_or(NOWHERE, |p| turn * solved.flat(p))).collect()
     }
 
     /// Disk → region, the inverse of [`RiemannMap::to_disk`]. NaN outside the closed disk; the circle goes to the boundary.
@@ -144,56 +142,61 @@ impl RiemannMap {
     /// ```
     #[must_use]
     pub fn from_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
-        let (evaluator, turn) = (self.evaluator(), self.turn().conj());
-        points.iter().map(|w| evaluator.to_region(DiskPoint::flat(turn * w)).unwrap_or(NOWHERE)).collect()
+        let (solved, turn) = (self.solved(), self.turn().conj());
+        points.iter().map(|w| solved.from_disk(DiskPoint::flat(turn * w)).unwrap_or(NOWHERE)).collect()
     }
 
     /// f' of the map region → disk, per plane unit. NaN outside the closed region; infinite at a re-entrant vertex.
     #[must_use]
     pub fn derivative(&self, points: &[Complex64]) -> Vec<Complex64> {
-        let (evaluator, turn) = (self.evaluator(), self.turn());
-        let slope = |(point, slope): (DiskPoint, Complex64)| turn * slope * evaluator.flat_slope(point);
-        points.iter().map(|&z| evaluator.to_disk_with_slope(z).map_or(NOWHERE, slope)).collect()
+        let (solved, turn) = (self.solved(), self.turn());
+        let slope = |(point, slope): (DiskPoint, Complex64)| turn * slope * solved.flat_slope(point);
+        points.iter().map(|&z| solved.to_disk_with_slope(z).map_or(NOWHERE, slope)).collect()
     }
 
     /// Region → disk, as points that keep their places apart also where numbers cannot.
     #[must_use]
     pub fn to_disk_points(&self, points: &[Complex64]) -> Vec<DiskPoint> {
-        let evaluator = self.evaluator();
-        points.iter().map(|&z| evaluator.to_disk(z).unwrap_or(DiskPoint::NOWHERE)).collect()
+        let solved = self.solved();
+        points.iter().map(|&z| solved.to_disk(z).unwrap_or(DiskPoint::NOWHERE)).collect()
     }
 
     /// Disk → region: the inverse of [`RiemannMap::to_disk_points`] of the same map.
     #[must_use]
     pub fn from_disk_points(&self, points: &[DiskPoint]) -> Vec<Complex64> {
-        let evaluator = self.evaluator();
-        points.iter().map(|&point| evaluator.to_region(point).unwrap_or(NOWHERE)).collect()
+        let solved = self.solved();
+        points.iter().map(|&point| solved.from_disk(point).unwrap_or(NOWHERE)).collect()
     }
 
     /// Bytes of memory that the evaluator takes; 0 before its first use.
     #[must_use]
     pub fn evaluator_bytes(&self) -> usize {
-        self.evaluator.get().map_or(0, Evaluator::bytes)
+        self.solved.bytes()
     }
 
     /// Number of centers whose maps are linked to serve the whole region; 1 unless a part of it is far away.
     #[must_use]
     pub fn charts(&self) -> usize {
-        self.evaluator().charts()
+        self.solved.positions().len()
     }
 
     /// Builds the evaluator now, both ways, instead of at its first use each way.
     pub fn prepare(&self) {
-        self.evaluator().prepare();
+        self.solved.prepare();
     }
 
-    pub(super) fn evaluator(&self) -> &Evaluator {
-        self.evaluator.get_or_init(|| Evaluator::new(&self.region, &self.solution, &self.options))
+    pub(super) fn solved(&self) -> &dyn SolvedRegion {
+        &*self.solved
     }
 
-    /// Where the evaluator's charts lie with respect to `toward`.
+    /// Where the charts lie with respect to `toward`.
     pub(super) fn compass(&self) -> Compass<'_> {
-        self.evaluator().compass(self.region.toward().point, self.toward_measure)
+        let positions = self.solved.positions();
+        let flat = Position::FIRST.direction_of(TAU * self.toward_measure);
+        // Its own chart knows best where a far one is.
+        let seen = |point: DiskPoint| positions[point.chart].direction_of(point.w.arg());
+        let known = self.solved.to_disk(self.region.toward().point).filter(|point| point.chart != 0);
+        Compass { positions, toward: known.map_or(flat, seen) }
     }
 
     /// The rotation that puts `toward` at 1.
@@ -205,51 +208,48 @@ impl RiemannMap {
     #[must_use]
     pub fn to_disk_directly(&self, points: &[Complex64]) -> Vec<Complex64> {
         let turn = self.turn();
-        let image = |&z: &Complex64| {
-            if self.region.contains(z) { self.solution.to_disk(&self.region, z) * turn } else { NOWHERE }
-        };
-        points.iter().map(image).collect()
+        points.iter().map(|&z| self.solved.to_disk_directly(z).map_or(NOWHERE, |w| turn * w)).collect()
     }
 
     /// |f'(center)|⁻¹, in plane units: exp ∫ log|y − z₀| dμ(y).
     #[must_use]
     pub fn conformal_radius(&self) -> f64 {
-        self.solution.conformal_radius()
+        self.solved.conformal_radius()
     }
 
     /// Largest violation of the boundary condition log|f| = 0 at points where it was not imposed.
     #[must_use]
     pub fn residual(&self) -> f64 {
-        self.solution.residual()
+        self.solved.residual()
     }
 
     /// Estimate of the largest error of the map anywhere in the region, in units of the disk.
     #[must_use]
     pub fn error_estimate(&self) -> f64 {
-        self.solution.error_estimate()
+        self.solved.error_estimate()
     }
 
     /// Number of unknowns of the last system solved.
     #[must_use]
     pub fn unknowns(&self) -> usize {
-        self.solution.unknowns()
+        self.solved.unknowns()
     }
 
     /// Why the solve ended: with the tolerance met, or short of it.
     #[must_use]
     pub fn stop(&self) -> Stop {
-        self.solution.stop()
+        self.solved.stop()
     }
 }
 
 /// Region → disk.
 impl PlaneMap for RiemannMap {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        let (evaluator, turn) = (self.evaluator(), self.turn());
+        let (solved, turn) = (self.solved(), self.turn());
         for (&z, jet) in points.iter().zip(jets) {
-            let found = evaluator.to_disk_with_slope(z);
+            let found = solved.to_disk_with_slope(z);
             *jet = found.map_or(Jet::UNDEFINED, |(point, slope)| {
-                Jet::analytic(turn * evaluator.flat(point), turn * slope * evaluator.flat_slope(point))
+                Jet::analytic(turn * solved.flat(point), turn * slope * solved.flat_slope(point))
             });
         }
     }
@@ -262,9 +262,9 @@ impl PlaneMap for RiemannMap {
 /// Disk → region.
 impl InvertibleMap for RiemannMap {
     fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        let (evaluator, turn) = (self.evaluator(), self.turn().conj());
+        let (solved, turn) = (self.solved(), self.turn().conj());
         for (w, jet) in points.iter().zip(jets) {
-            let found = evaluator.to_region_with_slope(DiskPoint::flat(turn * w));
+            let found = solved.from_disk_with_slope(DiskPoint::flat(turn * w));
             *jet = found.map_or(Jet::UNDEFINED, |(z, slope)| Jet::analytic(z, turn * slope));
         }
     }

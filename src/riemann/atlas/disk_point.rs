@@ -6,9 +6,9 @@ use crate::plane::Complex64;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiskPoint {
     /// The chart.
-    pub(super) chart: usize,
+    pub(in super::super) chart: usize,
     /// The point of its disk.
-    pub(super) w: Complex64,
+    pub(in super::super) w: Complex64,
 }
 
 impl DiskPoint {

@@ -1,5 +1,6 @@
 //! The map of a polygon as a function, both ways.
 
+use super::super::rounding::is_outside_disk;
 use super::accuracy::Accuracy;
 use super::charts::Atlas;
 use super::disk_point::DiskPoint;
@@ -100,14 +101,14 @@ impl Expansions {
     /// Disk → region; `None` outside the closed disk.
     #[inline]
     #[must_use]
-    pub fn to_region(&self, point: DiskPoint) -> Option<Complex64> {
+    pub fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
         self.follow(point, |chart, w| self.ask(chart, w)).map(|(z, _, _)| z)
     }
 
     /// Disk → region, with the derivative by the point's number in its chart.
     #[inline]
     #[must_use]
-    pub fn to_region_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)> {
+    pub fn from_disk_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)> {
         let (z, slope, chart) = self.follow(point, |chart, w| self.disk(chart).with_slope(w))?;
         if chart == point.chart {
             return Some((z, slope));
@@ -128,7 +129,7 @@ impl Expansions {
         DiskPoint { mut chart, mut w }: DiskPoint,
         ask: impl Fn(usize, Complex64) -> Source,
     ) -> Option<(Complex64, Complex64, usize)> {
-        if w.is_nan() || w.norm_sqr() > BEYOND_CIRCLE {
+        if is_outside_disk(w) {
             return None;
         }
         for _ in 0..=self.disks.len() {
@@ -162,8 +163,6 @@ impl Expansions {
 
 /// So many points cost about as much one by one as through an easy region's tree.
 const FEW: usize = 10_000;
-/// |w|² of points that are on the circle up to rounding.
-pub const BEYOND_CIRCLE: f64 = 1.0 + 8.0 * f64::EPSILON;
 
 /// The point of the closed disk nearest to `w`.
 fn onto_disk(w: Complex64) -> Complex64 {

@@ -28,7 +28,6 @@ mod charts;
 mod disk_builder;
 mod disk_point;
 mod disk_side;
-mod evaluator;
 mod expansions;
 mod fit;
 mod inverse_cell;
@@ -47,5 +46,6 @@ mod walls;
 mod zone;
 
 pub use disk_point::DiskPoint;
-pub use evaluator::Evaluator;
+pub use expansions::Expansions;
 pub use passage::{Compass, Passage};
+pub use position::Position;

@@ -1,5 +1,6 @@
 //! Disk → region for a few points: each by Newton's method, while a chart's tree is not worth building.
 
+use super::super::rounding::is_on_circle;
 use super::accuracy::Accuracy;
 use super::charts::{Atlas, TAKE_OVER};
 use super::disk_side::Source;
@@ -9,8 +10,6 @@ use crate::plane::Complex64;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-/// |w|² of points on the circle differs from 1 by no more.
-const ON_CIRCLE: f64 = 8.0 * f64::EPSILON;
 /// Known points are told apart by so many directions,
 const DIRECTIONS: f64 = 128.0;
 
@@ -57,7 +56,7 @@ impl Seeds {
         if let Some(best) = atlas.better_chart(chart, w, TAKE_OVER) {
             return Some(Source::Chart(best));
         }
-        if w.norm_sqr() >= 1.0 - ON_CIRCLE {
+        if is_on_circle(w) {
             let z = atlas.charts[chart].boundary_point(w.arg() / TAU);
             // Beside a corner the patch knows better than numbers that count from vertex 0.
             let patch = region.patch_at(z).filter(|patch| patch.chart == chart);

@@ -1,5 +1,6 @@
 //! From the disk of one region to that of another, chart to chart.
 
+use super::super::rounding::is_on_circle;
 use super::disk_point::DiskPoint;
 use super::link::Link;
 use super::position::{Angle, Position};
@@ -37,14 +38,11 @@ impl Passage {
     pub fn carry(&self, point: DiskPoint) -> (DiskPoint, Complex64) {
         let (chart, link) = &self.ways[point.chart];
         let mut w = link.apply(point.w);
-        let (before, after) = (point.w.norm_sqr(), w.norm_sqr());
         // What lies on the circle stays there, and rounding puts nothing beyond it.
-        if after > 1.0 || (before - 1.0).abs() <= ON_CIRCLE {
-            w /= after.sqrt();
+        let square = w.norm_sqr();
+        if square > 1.0 || is_on_circle(point.w) {
+            w /= square.sqrt();
         }
         (DiskPoint { chart: *chart, w }, link.slope(point.w))
     }
 }
-
-/// |w|² of points on the circle differs from 1 by no more.
-const ON_CIRCLE: f64 = 4.0 * f64::EPSILON;

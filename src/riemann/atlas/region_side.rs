@@ -1,5 +1,6 @@
 //! Region → disk: a quadtree of Taylor polynomials, and of patches where the boundary is.
 
+use super::super::rounding::ON_BOUNDARY;
 use super::accuracy::Accuracy;
 use super::cells::Cells;
 use super::charts::Atlas;
@@ -86,7 +87,7 @@ impl RegionSide {
     fn directly(&self, atlas: &Atlas, chart: usize, z: Complex64) -> Option<Complex64> {
         let nearest = atlas.walls.nearest(z, &atlas.walls.all());
         let map = &atlas.charts[chart];
-        if nearest.distance <= 4.0 * f64::EPSILON {
+        if nearest.distance <= ON_BOUNDARY {
             let length = self.boundary.lengths[nearest.edge];
             let measure = map.measure((nearest.edge, nearest.along, length - nearest.along));
             return Some(Complex64::cis(std::f64::consts::TAU * measure));

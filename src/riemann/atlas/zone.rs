@@ -1,5 +1,6 @@
 //! Zones of the boundary: half-disks on edges and sectors at corners, in which one real power series gives the map.
 
+use super::super::rounding::ON_BOUNDARY;
 use super::walls::Walls;
 use crate::plane::Complex64;
 use crate::symm::panel::Boundary;
@@ -34,8 +35,6 @@ pub enum Place {
     Outside,
 }
 
-/// In scaled units: closer than this to the boundary is on it.
-const ON_BOUNDARY: f64 = 4.0 * f64::EPSILON;
 /// The next singularity is at |τ| = 1/SHARE or farther.
 pub const SHARE: f64 = 0.4;
 /// Zones on an edge meet where they are still this much of their reach from their middles.
