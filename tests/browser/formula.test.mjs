@@ -131,6 +131,24 @@ test("the view is dragged and zoomed, and goes home", async () => {
   await close();
 });
 
+test("keys move and zoom the view, and bring it home", async () => {
+  const { page, errors, close } = await openFormula("#f=z&view=0,0,4");
+  const home = await picture(page, "target");
+  const seen = new Set([home.digest]);
+  await page.locator("#target-marks").focus();
+  for (const key of ["ArrowRight", "Shift+ArrowUp", "+", "+", "-"]) {
+    await page.keyboard.press(key);
+    await settled(page, "ready");
+    seen.add((await picture(page, "target")).digest);
+  }
+  assert.equal(seen.size, 5, "each key shows another view, and − the one before the last +");
+  await page.keyboard.press("0");
+  await settled(page, "ready");
+  assert.equal((await picture(page, "target")).digest, home.digest);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 for (const [name, width, height] of /** @type {const} */ ([["desktop", 1440, 900], ["laptop", 1280, 720], ["phone", 390, 844]])) {
   test(`${name}: nothing is cut off`, async () => {
     const { page, errors, close } = await openFormula("", { viewport: { width, height } });

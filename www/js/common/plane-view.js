@@ -1,4 +1,4 @@
-// A panel that looks at a part of the plane: dragged to move, wheel or two fingers to zoom.
+// A panel that looks at a part of the plane: dragged to move, wheel or two fingers to zoom, or steered by keys.
 
 import { deviceGrid, paint } from "./canvas.js";
 import { onGrid, scaleOf, toPixels, toPlane } from "./frame.js";
@@ -11,6 +11,9 @@ import { pixelOf, set, svg } from "./svg.js";
 
 /** A notch of the wheel zooms by about this. */
 const ZOOM = 1.0015;
+/** What a key does: the share of the width that it moves by, and how much it zooms; the width of the view that 0 goes to. */
+const [KEY_STEP, KEY_ZOOM] = [0.02, 1.25];
+export const HOME = 4;
 /** Widths beyond these are of no use, and run out of digits. */
 const [NARROWEST, WIDEST] = [1e-9, 1e9];
 
@@ -110,6 +113,12 @@ export class PlaneView {
         if (!this.#fingers.size) root.classList.remove("held");
       });
     }
+    root.addEventListener("keydown", (event) => {
+      const place = this.#steered(event);
+      if (!place) return;
+      event.preventDefault();
+      onMove(place);
+    });
     onEscape(() => {
       if (!this.#fingers.size) return false;
       this.#fingers.clear();
@@ -117,6 +126,20 @@ export class PlaneView {
       onMove(this.#before);
       return true;
     });
+  }
+
+  /** Where a key leads: arrows move, + and − zoom, 0 goes home. @param {KeyboardEvent} event @returns {Placement | null} */
+  #steered({ key, shiftKey, ctrlKey, metaKey, altKey }) {
+    if (ctrlKey || metaKey || altKey) return null;
+    const { center, width, pixels } = this.frame;
+    /** @type {Point} */
+    const middle = [pixels[0] / 2, pixels[1] / 2];
+    if (key === "0") return { center: [0, 0], width: HOME };
+    if (key === "+" || key === "=") return this.#zoomed(middle, 1 / KEY_ZOOM);
+    if (key === "-") return this.#zoomed(middle, KEY_ZOOM);
+    const direction = new Map(Object.entries({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] })).get(key);
+    const step = (shiftKey ? 5 : 1) * KEY_STEP * width;
+    return direction ? { center: [center[0] + step * direction[0], center[1] + step * direction[1]], width } : null;
   }
 
   /** The place in which the point seen at `from` is seen at `to`. @param {Point} from @param {Point} to @returns {Placement} */

@@ -124,8 +124,8 @@ export class CortexView extends LinedView {
   /** The landmark's place and the end of its arrow, to be dragged. */
   #landmark = svg("g", { class: "landmark" }, [
     svg("path", { class: "arrow" }),
-    svg("circle", { class: "handle", "data-part": "direction", r: 6, tabindex: 0 }),
-    svg("circle", { class: "handle place", "data-part": "center", r: 7, tabindex: 0 }),
+    svg("circle", { class: "handle", "data-part": "direction", r: 6, role: "button", tabindex: 0 }),
+    svg("circle", { class: "handle place", "data-part": "center", r: 7, role: "button", tabindex: 0 }),
     svg("text", { class: "landmark-name" }),
   ]);
 

@@ -3,6 +3,7 @@
 import { toPixels, toPlane } from "../common/frame.js";
 import { onEscape } from "../common/keys.js";
 import { pixelOf } from "../common/svg.js";
+import { distance } from "./geometry.js";
 import { insertVertex, moveCenter, moveToward, moveVertex, removeVertex, towardPoint, translate } from "./region.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -16,6 +17,9 @@ import { insertVertex, moveCenter, moveToward, moveVertex, removeVertex, towardP
 
 /** Arrow keys, in pixels of the panel. @type {Record<string, Point>} */
 const STEPS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
+/** A finger takes hold of what is so near, in pixels of the panel. */
+const FINGER = 22;
 
 /** A pause this long ends a series of arrow keys, in milliseconds. */
 const KEY_PAUSE = 400;
@@ -66,8 +70,8 @@ export class Editor {
   /** @param {PointerEvent} event */
   #press(event) {
     if (this.#store.mode !== "edit" || event.button !== 0 || this.#drag) return;
-    const { part, index } = partOf(event.target);
     const at = pixelOf(this.#view.root, event);
+    const { part, index } = (event.pointerType === "touch" && this.#nearest(at)) || partOf(event.target);
     const taken = this.#take(part, index, at, event.pointerType);
     if (!taken) return this.#store.select(null);
     event.preventDefault();
@@ -77,6 +81,19 @@ export class Editor {
     this.#drag = { pointer: event.pointerId, grip, move: taken.move, moved: false };
     if (part === "edge") this.#store.drag(taken.move(this.#plane(at)));
     if (part !== "body") this.#focus(part, index);
+  }
+
+  /** The handle nearest to a finger, if one is near: those of neighbours overlap. @param {Point} at */
+  #nearest(at) {
+    const { region } = this.#store.doc;
+    /** @type {[part: string, index: number, point: Point][]} */
+    const handles = [["center", -1, region.center], ["toward", -1, towardPoint(region)], ...region.boundary.map((p, k) => /** @type {[string, number, Point]} */ (["vertex", k, p]))];
+    let best = { part: "", index: -1, away: FINGER };
+    for (const [part, index, point] of handles) {
+      const away = distance(toPixels(this.#view.frame, point), at);
+      if (away < best.away) best = { part, index, away };
+    }
+    return best.part ? best : null;
   }
 
   /**

@@ -6,7 +6,7 @@ import { acceptFiles } from "../common/files.js";
 import { addPicture } from "../common/images.js";
 import { attempt, element, remark, saveCanvas, statusOfPage, watchErrors, wordsOf } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
-import { PlaneView } from "../common/plane-view.js";
+import { HOME, PlaneView } from "../common/plane-view.js";
 import { Probe, readingWords } from "../common/probe.js";
 import { Scheduler } from "../common/scheduler.js";
 import { compile } from "./compile.js";
@@ -137,7 +137,7 @@ function connectControls() {
     const select = /** @type {HTMLSelectElement} */ (element(name));
     select.onchange = () => change({ [name]: select.value });
   }
-  element("home").onclick = () => change({ view: { center: [0, 0], width: 4 } });
+  element("home").onclick = () => change({ view: { center: [0, 0], width: HOME } });
   element("save").onclick = () => saveCanvas(element("target"), "formula.png");
   element("stop").onclick = () => scheduler.stop();
   window.addEventListener("hashchange", () => visit(state));
