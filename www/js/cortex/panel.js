@@ -83,6 +83,8 @@ export class CortexPanel {
     const { root } = this.view;
     /** @type {string | undefined} */
     let part;
+    // A finger on a handle does not scroll the page.
+    root.addEventListener("touchstart", (event) => event.target instanceof SVGElement && event.target.dataset.part && event.preventDefault(), { passive: false });
     root.addEventListener("pointerdown", (event) => {
       part = event.target instanceof SVGElement ? event.target.dataset.part : undefined;
       if (part) root.setPointerCapture(event.pointerId);

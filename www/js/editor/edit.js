@@ -38,6 +38,7 @@ export class Editor {
     this.#view = view;
     const { root } = view;
     root.addEventListener("pointerdown", (event) => this.#press(event));
+    root.addEventListener("touchstart", (event) => this.#touch(event), { passive: false });
     root.addEventListener("pointermove", (event) => this.#move(event));
     root.addEventListener("pointerup", (event) => this.#release(event));
     root.addEventListener("pointercancel", (event) => this.#release(event));
@@ -81,6 +82,14 @@ export class Editor {
     this.#drag = { pointer: event.pointerId, grip, move: taken.move, moved: false };
     if (part === "edge") this.#store.drag(taken.move(this.#plane(at)));
     if (part !== "body") this.#focus(part, index);
+  }
+
+  /** A finger that takes hold of something does not scroll the page; what is drawn in an SVG cannot say so in its style. @param {TouchEvent} event */
+  #touch(event) {
+    if (this.#store.mode !== "edit" || event.touches.length > 1) return;
+    const [{ clientX, clientY }] = event.touches;
+    const box = this.#view.root.getBoundingClientRect();
+    if (partOf(event.target).part === "edge" || this.#nearest([clientX - box.left, clientY - box.top])) event.preventDefault();
   }
 
   /** The handle nearest to a finger, if one is near: those of neighbours overlap. @param {Point} at */
