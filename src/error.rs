@@ -74,6 +74,14 @@ pub enum Error {
         /// Rows.
         height: usize,
     },
+    /// More memory at once than there is.
+    #[error(
+        "This needs {bytes} bytes of memory at once, more than can be had: ask for fewer pixels, rows or points at a time."
+    )]
+    OutOfMemory {
+        /// How much was wanted.
+        bytes: u64,
+    },
     /// A texture that a prepared warp is not good for.
     #[error(
         "This warp was prepared for textures of {} x {} pixels with one wrap mode; this one has {} x {}, or another mode.",
@@ -188,6 +196,7 @@ impl Error {
             Self::InvalidOption { .. } => "invalid-option",
             Self::WrongLength { .. } => "wrong-length",
             Self::TextureTooLarge { .. } => "texture-too-large",
+            Self::OutOfMemory { .. } => "out-of-memory",
             Self::OtherTexture { .. } => "other-texture",
             Self::InvalidRows { .. } => "invalid-rows",
             Self::InvalidTriangle { .. } => "invalid-triangle",

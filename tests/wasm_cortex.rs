@@ -147,9 +147,9 @@ fn crops_of_a_large_picture_are_put_together() {
     let level =
         |shade: u8| Texture::new(&[shade, 0, 0, 255].repeat(64 * 64), 64, 64, None::<Ts<TextureOptions>>).unwrap();
     let frame = |crop: &Ts<_>| Ts::new_unchecked(crop.js_value());
-    let mut stack = FoveatedTexture::of(level(10), frame(&crops[0])).unwrap();
+    let mut stack = FoveatedTexture::of(&level(10), frame(&crops[0])).unwrap();
     for (k, crop) in crops.iter().enumerate().skip(1) {
-        stack.add(level(10 + 20 * k as u8), frame(crop)).unwrap();
+        stack.add(&level(10 + 20 * k as u8), frame(crop)).unwrap();
     }
     assert!(stack.levels() == 9 && stack.bytes() < 9 * 64 * 64 * 11, "{} bytes", stack.bytes());
     // Around the gaze the finest is seen, and far away the widest.

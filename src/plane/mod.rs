@@ -2,6 +2,7 @@
 
 mod edge_tree;
 mod frame;
+mod json_points;
 mod outline_text;
 mod polygon;
 mod region;

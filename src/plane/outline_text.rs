@@ -1,6 +1,6 @@
 //! Outlines that come as text: points in JSON, or the data of an SVG path.
 
-use crate::plane::Complex64;
+use crate::plane::{Complex64, json_points};
 use crate::{Error, Result};
 use kurbo::{BezPath, PathEl, Point};
 
@@ -31,18 +31,16 @@ pub fn parse_outline(text: &str, scale: f64, tolerance: f64) -> Result<Vec<Compl
         }
     }
     let text = text.trim();
-    let mut vertices =
-        if text.starts_with(['[', '{']) { from_json(text)? } else { from_path(text, tolerance / scale)? };
+    let mut vertices = if text.starts_with(['[', '{']) {
+        json_points::read(text).map_err(|reason| invalid(&reason))?
+    } else {
+        from_path(text, tolerance / scale)?
+    };
     // A last vertex that repeats the first only closes what is closed.
     if vertices.len() > 1 && vertices.first() == vertices.last() {
         vertices.pop();
     }
     Ok(vertices.into_iter().map(|z| z * scale).collect())
-}
-
-fn from_json(text: &str) -> Result<Vec<Complex64>> {
-    let points: Vec<[f64; 2]> = serde_json::from_str(text).map_err(|error| invalid(&error.to_string()))?;
-    Ok(points.into_iter().map(|[x, y]| Complex64::new(x, y)).collect())
 }
 
 fn from_path(data: &str, tolerance: f64) -> Result<Vec<Complex64>> {

@@ -13,7 +13,23 @@ pub(crate) fn check(what: &'static str, bytes: usize, [columns, rows]: [usize; 2
     Err(Error::WrongLength { what, expected: format!("4 x {columns} x {rows}"), found: bytes })
 }
 
+/// Bytes of RGBA pixels in so many columns and rows.
+///
+/// # Errors
+/// [`Error::OutOfMemory`] for more than can be counted.
+pub(crate) fn len([columns, rows]: [usize; 2]) -> Result<usize> {
+    let bytes = (columns as u64).saturating_mul(rows as u64).saturating_mul(4);
+    isize::try_from(bytes).map(isize::unsigned_abs).map_err(|_| Error::OutOfMemory { bytes })
+}
+
 /// Transparent RGBA pixels in so many columns and rows.
-pub(crate) fn blank([columns, rows]: [usize; 2]) -> Result<Vec<u8>> {
-    Ok(vec![0; 4 * columns * rows])
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
+pub(crate) fn blank(size: [usize; 2]) -> Result<Vec<u8>> {
+    let bytes = len(size)?;
+    let mut rgba = Vec::new();
+    rgba.try_reserve_exact(bytes).map_err(|_| Error::OutOfMemory { bytes: bytes as u64 })?;
+    rgba.resize(bytes, 0);
+    Ok(rgba)
 }

@@ -1,5 +1,6 @@
 //! How a picture is to be warped: frames, direction, quality, wrap mode, rows.
 
+use super::buffer;
 use crate::plane::Frame;
 use crate::{Error, Result};
 use std::ops::Range;
@@ -101,9 +102,8 @@ impl WarpOptions {
     /// Bytes that the output needs: 4 a pixel.
     ///
     /// # Errors
-    /// As [`WarpOptions::checked_rows`].
+    /// As [`WarpOptions::checked_rows`], and [`Error::OutOfMemory`] for more than can be counted.
     pub fn output_len(&self) -> Result<usize> {
-        let [columns, rows] = self.output_size()?;
-        Ok(4 * columns * rows)
+        buffer::len(self.output_size()?)
     }
 }

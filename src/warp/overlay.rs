@@ -80,13 +80,7 @@ impl Overlay {
     /// # Errors
     /// [`Error::WrongLength`], [`Error::InvalidRows`], and [`Error::InvalidOption`] for a spacing, count, width or radius
     /// that is not positive or an opacity outside 0 … 1.
-    pub fn draw<M: PlaneMap + ?Sized>(
-        &self,
-        map: &M,
-        view: &Frame,
-        rows: Option<Range<usize>>,
-        rgba: &mut [u8],
-    ) -> Result<()> {
+    pub fn draw(&self, map: &dyn PlaneMap, view: &Frame, rows: Option<Range<usize>>, rgba: &mut [u8]) -> Result<()> {
         self.check()?;
         let [columns, height] = view.pixels();
         let rows = rows.unwrap_or(0..height);

@@ -11,12 +11,22 @@ use crate::map::PlaneMap;
 
 impl<M: PlaneMap + ?Sized> Warp for M {
     fn footprints(&self, texture: &Texture, options: &WarpOptions, each: &mut dyn FnMut(&Strip)) -> Result<()> {
-        match options.direction {
-            Direction::PullBack => pull_back(self, texture, options, each),
-            Direction::PushForward => match self.inverse() {
-                Some(inverse) => pull_back(&*inverse, texture, options, each),
-                None => push_forward(self, texture, options, each),
-            },
-        }
+        footprints(&self, texture, options, each)
+    }
+}
+
+/// One code for all maps: they are asked for many points at a time.
+fn footprints(
+    map: &dyn PlaneMap,
+    texture: &Texture,
+    options: &WarpOptions,
+    each: &mut dyn FnMut(&Strip),
+) -> Result<()> {
+    match options.direction {
+        Direction::PullBack => pull_back(map, texture, options, each),
+        Direction::PushForward => match map.inverse() {
+            Some(inverse) => pull_back(&*inverse, texture, options, each),
+            None => push_forward(map, texture, options, each),
+        },
     }
 }

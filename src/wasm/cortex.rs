@@ -2,6 +2,7 @@
 
 use super::error::Failure;
 use super::foveated::FoveatedTexture;
+use super::memory;
 use super::options::{self, FrameOptions, Point};
 use super::overlay::{self, OverlayOptions};
 use super::points;
@@ -144,7 +145,9 @@ impl RetinoCorticalMap {
         options: Ts<CorticalModelOptions>,
         #[wasm_bindgen(unchecked_param_type = "Count")] vertices: usize,
     ) -> Result<Vec<f64>, Failure> {
-        Ok(points::to_flat(&options::read(&options)?.model()?.outline(vertices)))
+        let model = options::read(&options)?.model()?;
+        memory::room_for(64.0 * vertices as f64)?;
+        Ok(points::to_flat(&model.outline(vertices)))
     }
 
     /// The landmark by which `outline` makes of `modelOutline` the closed formula's map again, but for its scale of
@@ -257,7 +260,7 @@ impl CorticalImage {
         options: Ts<DrawOptions>,
     ) -> Result<PreparedWarp, Failure> {
         let (options, _) = options::read(&options)?.split(Direction::PullBack)?;
-        Ok(PreparedWarp::new(texture.inner().prepare(&self.0, &options)?))
+        PreparedWarp::make(&options, || texture.inner().prepare(&self.0, &options))
     }
 
     /// The half of the picture that this cortex sees, as far as it can be recovered from the cortical image: that is kept on

@@ -49,16 +49,16 @@ impl FoveatedTexture {
     }
 
     /// A stack of one texture, to which closer ones are added: a wide shot and its close-ups, or the crops of a picture
-    /// too large to be held at once. The texture is taken over and must not be used any more.
-    pub fn of(texture: Texture, frame: Ts<FrameOptions>) -> Result<Self, Failure> {
+    /// too large to be held at once. The texture is copied.
+    pub fn of(texture: &Texture, frame: Ts<FrameOptions>) -> Result<Self, Failure> {
         let frame = options::read(&frame)?.try_into()?;
-        Ok(Self(warp::FoveatedTexture::new(vec![(texture.into_inner(), frame)])?))
+        Ok(Self(warp::FoveatedTexture::new(vec![(texture.inner().clone(), frame)])?))
     }
 
-    /// Puts a closer texture on top, and takes it over.
-    pub fn add(&mut self, texture: Texture, frame: Ts<FrameOptions>) -> Result<(), Failure> {
+    /// Puts a copy of a closer texture on top.
+    pub fn add(&mut self, texture: &Texture, frame: Ts<FrameOptions>) -> Result<(), Failure> {
         let frame = options::read(&frame)?.try_into()?;
-        self.0.add(texture.into_inner(), frame);
+        self.0.add(texture.inner().clone(), frame);
         Ok(())
     }
 

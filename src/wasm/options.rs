@@ -155,9 +155,11 @@ fn describe(path: &str, reason: &str) -> Failure {
 }
 
 /// Serde's names of types, in words.
-const KINDS: [(&str, &str); 4] = [
+const KINDS: [(&str, &str); 6] = [
     ("expected f64", "expected a number"),
     ("expected usize", "expected a whole number, 0 or more"),
+    ("expected u32", "expected a whole number, 0 or more"),
+    ("expected u8", "expected a whole number from 0 to 255"),
     ("unit value", "undefined or null"),
     ("floating point", "number"),
 ];

@@ -4,7 +4,7 @@ use super::error::Failure;
 use super::options::{self, FrameOptions};
 use crate::map::PlaneMap;
 use crate::plane::Frame;
-use crate::warp::{Overlay, Stroke};
+use crate::warp::{Overlay, Stroke, WarpOptions, buffer};
 use js_sys::Uint8ClampedArray;
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
@@ -84,17 +84,14 @@ impl OverlayOptions {
 ///
 /// # Errors
 /// "invalid-option", "invalid-frame", "invalid-rows", "wrong-length".
-pub fn draw(map: &impl PlaneMap, given: &Ts<OverlayOptions>) -> Result<Uint8ClampedArray, Failure> {
+pub fn draw(map: &dyn PlaneMap, given: &Ts<OverlayOptions>) -> Result<Uint8ClampedArray, Failure> {
     let given = options::read(given)?;
     let overlay = given.overlay();
     let view: Frame = given.view.try_into()?;
     let rows = given.rows.map(|[first, end]| first..end);
-    let height = view.pixels()[1];
-    // Rows that the view does not have are refused by the drawing, and must not be allocated before.
-    let count = rows.as_ref().map_or(height, |rows| rows.end.min(height).saturating_sub(rows.start));
     let mut rgba = match &given.out {
         Some(out) => out.to_vec(),
-        None => vec![0; 4 * view.pixels()[0] * count],
+        None => buffer::blank(WarpOptions { rows: rows.clone(), ..WarpOptions::new(view, view) }.output_size()?)?,
     };
     overlay.draw(map, &view, rows, &mut rgba)?;
     Ok(match given.out {

@@ -2,10 +2,11 @@
 
 use super::error::Failure;
 use super::foveated::FoveatedTexture;
+use super::memory;
 use super::options;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
-use crate::warp::{Direction, PreparedWarp as Prepared, Warp, buffer};
+use crate::warp::{Direction, PreparedWarp as Prepared, Warp, WarpOptions, buffer};
 use js_sys::{Array, Uint8ClampedArray};
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -74,10 +75,14 @@ impl PreparedWarp {
     }
 }
 
+/// Bytes of geometry for each byte of a picture, as they grow.
+const GEOMETRY: f64 = 9.0;
+
 impl PreparedWarp {
-    pub(super) fn new(geometry: Prepared) -> Self {
-        let [columns, rows] = geometry.size();
-        Self { geometry, pixels: vec![0; 4 * columns * rows] }
+    /// What `make` makes for the options' view, whose pixels there must be room for.
+    pub(super) fn make(options: &WarpOptions, make: impl FnOnce() -> crate::Result<Prepared>) -> Result<Self, Failure> {
+        memory::room_for(GEOMETRY * options.output_len()? as f64)?;
+        Ok(Self { geometry: make()?, pixels: buffer::blank(options.output_size()?)? })
     }
 }
 
@@ -92,5 +97,5 @@ pub fn prepare(
     options: &Ts<DrawOptions>,
 ) -> Result<PreparedWarp, Failure> {
     let (options, _) = options::read(options)?.split(usual)?;
-    Ok(PreparedWarp::new(map.prepare(texture.inner(), &options)?))
+    PreparedWarp::make(&options, || map.prepare(texture.inner(), &options))
 }

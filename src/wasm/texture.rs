@@ -82,12 +82,6 @@ impl Texture {
 }
 
 impl Texture {
-    /// The texture, for a class that keeps it.
-    #[must_use]
-    pub fn into_inner(self) -> warp::Texture {
-        self.0
-    }
-
     /// The texture itself, for the classes that warp it.
     #[must_use]
     pub fn inner(&self) -> &warp::Texture {

@@ -255,6 +255,7 @@ function cutFrom(bitmap, frame, fixation) {
     const texture = Texture.fromImageData(context.getImageData(0, 0, SIDE, SIDE));
     if (stack) stack.add(texture, crop);
     else stack = FoveatedTexture.of(texture, crop);
+    texture.free();
   }
   if (!stack) throw new Error("The picture has no crops.");
   return stack;
