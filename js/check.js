@@ -16,7 +16,7 @@ import { types } from "./signatures.js";
 
 /** @typedef {[name: string, type: Type, optional: 0 | 1]} Parameter */
 
-/** @typedef {{ argument: string, path: string, call: string }} Place where a value was found */
+/** @typedef {{ argument: string, path: string, call: string, exact?: boolean }} Place where a value was found; `exact`: no other array does */
 
 const LARGEST_COUNT = 2 ** 32 - 1;
 
@@ -116,7 +116,7 @@ function readArray(type, value, place) {
   if (kind === type) return value;
   const isOut = place.path ? place.path === "out" : place.argument === "out";
   const holdsNumbers = Array.isArray(value) || (kind !== undefined && kind !== "DataView" && !kind.startsWith("Big"));
-  if (isOut || !holdsNumbers) return refuse(type, value, place);
+  if (isOut || place.exact || !holdsNumbers) return refuse(type, value, place);
   const fits = whole === undefined ? (/** @type {unknown} */ n) => typeof n === "number" : (/** @type {unknown} */ n) => isCount(n, whole);
   for (let k = 0; k < value.length; k++) {
     if (!fits(value[k])) return refuse(whole === undefined ? "number" : "Count", value[k], at(place, k));
@@ -153,7 +153,7 @@ function readRecord(type, value, place) {
  */
 function readFields(type, value, place) {
   const names = Object.keys(type.fields);
-  if (!isPlain(value)) return refuse(type, value, place);
+  if (!isPlain(value) && !(type.open && typeof value === "object")) return refuse(type, value, place);
   // A misspelled option must not be silently ignored.
   const unknown = Object.keys(value).find((key) => !Object.hasOwn(type.fields, key) && value[key] !== undefined);
   if (unknown !== undefined && !type.open) {
@@ -164,7 +164,7 @@ function readFields(type, value, place) {
   const fresh = {};
   for (const name of names) {
     const [field, optional] = type.fields[name];
-    const inside = at(place, name);
+    const inside = { ...at(place, name), exact: type.open };
     const found = value[name];
     if (found !== undefined && found !== null) fresh[name] = read(field, found, inside);
     else if (!optional) {
@@ -275,5 +275,5 @@ function isCount(value, most) {
 
 /** @param {unknown} value */
 function isPlain(value) {
-  return typeof value === "object" && value !== null && !Array.isArray(value) && kindOf(value) === undefined;
+  return Object.prototype.toString.call(value) === "[object Object]";
 }

@@ -3,7 +3,7 @@
 
 import { checkArguments, checkObject, classes } from "./check.js";
 import { failure } from "./failure.js";
-import { abandon, isCurrent } from "./conformal_warp.js";
+import { abandon, isCurrent, roomFor } from "./conformal_warp.js";
 import { state } from "./state.js";
 
 /** @typedef {import("./check.js").Parameter} Parameter */
@@ -30,10 +30,29 @@ function checkReady(call) {
  */
 function run(call, target, self, args, newTarget) {
   try {
+    checkRoom(args);
     return newTarget ? Reflect.construct(target, args, newTarget) : Reflect.apply(target, self, args);
   } catch (error) {
     throw translate(call, error);
   }
+}
+
+/** Arguments of so many bytes are passed without asking first whether there is room for them. */
+const SMALL = 2 ** 26;
+
+/**
+ * Large arrays are copied into the module, which must have room for them and for what is made of them.
+ *
+ * @param {unknown[]} args
+ */
+function checkRoom(args) {
+  let bytes = 0;
+  for (const arg of args) {
+    // A picture and its pyramid; points, what they become, and its derivatives.
+    if (ArrayBuffer.isView(arg)) bytes += arg.byteLength * (arg instanceof Float64Array ? 6 : 3);
+    else if (typeof arg === "string") bytes += 6 * arg.length;
+  }
+  if (bytes > SMALL) roomFor(bytes);
 }
 
 /**
@@ -45,8 +64,10 @@ function translate(call, error) {
     error instanceof WebAssembly.RuntimeError ||
     (error instanceof RangeError && /call stack/.test(error.message)) ||
     error?.name === "InternalError";
-  if (isTrap) {
-    state.crashed = `${call}: ${error.message}`;
+  if (error?.code === "crashed") return error;
+  // What fails around a crash in a call within this one, as from onProgress, fails by it.
+  if (isTrap || state.crashed) {
+    state.crashed ??= `${call}: ${error.message}`;
     abandon();
     const message = `The module crashed in ${call}, for want of memory or by a fault of its own: await init.reset(), then make its objects anew.`;
     return Object.assign(failure("crashed", message), { cause: error });

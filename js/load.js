@@ -56,7 +56,7 @@ export function loader(usual, usualBytes) {
       throw Object.assign(new TypeError(message), { code: "invalid-argument", argument: "source" });
     }
     const module = isModule(source) ? source : compileSync(source);
-    const output = finish(module, new WebAssembly.Instance(module, imports()));
+    const output = instantiateSync(module);
     state.loading = Promise.resolve(output);
     return output;
   }
@@ -70,8 +70,11 @@ export function loader(usual, usualBytes) {
  */
 async function start(source, usual) {
   const module = await compile((await source) ?? usual());
-  const instance = await WebAssembly.instantiate(module, imports());
-  return finish(module, instance);
+  try {
+    return finish(module, await WebAssembly.instantiate(module, imports()));
+  } catch (error) {
+    throw explain(error, "the module given to init()");
+  }
 }
 
 /**
@@ -112,11 +115,24 @@ function compileSync(bytes) {
   }
 }
 
+/** @param {WebAssembly.Module} module */
+function instantiateSync(module) {
+  try {
+    return finish(module, new WebAssembly.Instance(module, imports()));
+  } catch (error) {
+    throw explain(error, "the module given to initSync()");
+  }
+}
+
 /**
  * @param {any} error
  * @param {string} from
  */
 function explain(error, from) {
+  if (error instanceof WebAssembly.LinkError || error instanceof TypeError) {
+    const message = `What came from ${from} is WebAssembly, but not this package's of this version: ${error.message}`;
+    return failure("not-wasm", message, { cause: error });
+  }
   // Content security policies, and some servers' runtimes, forbid compiling; the engine's message says so.
   if (!(error instanceof WebAssembly.CompileError)) return Object.assign(error, { code: "load-failed" });
   const message = `What came from ${from} is not this package's WebAssembly module, or may not be compiled here: ${error.message}`;

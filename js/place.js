@@ -1,6 +1,7 @@
 // Where the package's files are: beside its code, unless a bundler has moved that.
 
 import { failure } from "./failure.js";
+import { FOLDER } from "./module.js";
 import { builtin, findInstalled } from "./source.js";
 
 /**
@@ -17,7 +18,7 @@ export function beside(address) {
   }
   // Vite 5 to 7 bundle what is imported from packages into node_modules/.vite/deps/, without the files that lie beside it.
   const moved = /^(.*\/node_modules\/)\.vite\/[^/]+\/([^/?]+)/.exec(url.href);
-  return moved ? new URL(`${moved[1]}conformal-warp/pkg/${moved[2]}`) : url;
+  return moved ? new URL(`${moved[1]}${FOLDER}${moved[2]}`) : url;
 }
 
 function fromWorkingFolder() {

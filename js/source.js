@@ -1,10 +1,10 @@
 // From an address or a response to the bytes of the .wasm, in browsers, workers and under Node.
 
 import { failure } from "./failure.js";
+import { ENTRY, FILE, INLINE } from "./module.js";
 
 /** What to do where a bundler has not taken the .wasm along. */
-const ADVICE =
-  'The bundler or server must serve conformal_warp_bg.wasm: pass its address, init(url), or import "conformal-warp/inline", which needs no file.';
+const ADVICE = `The bundler or server must serve ${FILE}: pass its address, init(url), or import "${INLINE}", which needs no file.`;
 
 /** @typedef {{ from: string } & ({ bytes: BufferSource } | { response: Response })} Found */
 
@@ -75,7 +75,7 @@ export function findInstalled(from) {
   const createRequire = builtin("node:module")?.createRequire;
   if (!createRequire) return undefined;
   try {
-    return createRequire(new URL(from)).resolve("conformal-warp/wasm");
+    return createRequire(new URL(from)).resolve(ENTRY);
   } catch {
     return undefined;
   }

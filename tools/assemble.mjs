@@ -11,16 +11,20 @@ import { makeTypes } from "./types.mjs";
  * @param {string} generated the folder of wasm-bindgen's output
  * @param {string} module the optimised .wasm
  * @param {string} folder where the package's files go
+ * @param {string} [part] the name of a module that is a part of the whole
  */
-export async function assemble(generated, module, folder) {
-  const source = (/** @type {string} */ name) => readFileSync(join(root, "js", name), "utf8");
+export async function assemble(generated, module, folder, part) {
+  const source = (/** @type {string} */ name) => {
+    const text = readFileSync(join(root, "js", name), "utf8");
+    return part ? forPart(text, part) : text;
+  };
   const write = (/** @type {string} */ name, /** @type {string} */ text) => writeFileSync(join(folder, name), text);
   for (const name of readdirSync(join(root, "js"))) if (name.endsWith(".js")) write(name, source(name));
 
   const declared = readFileSync(join(generated, "conformal_warp.d.ts"), "utf8");
   const { text, types, calls } = makeTypes(declared, source("entry.d.ts"));
   if (Object.keys(calls).length === 0) throw new Failure("wasm-bindgen exported nothing.");
-  cpSync(module, join(folder, "conformal_warp_bg.wasm"));
+  cpSync(module, join(folder, part ? `${part}_bg.wasm` : "conformal_warp_bg.wasm"));
   write("conformal_warp.js", adaptGlue(readFileSync(join(generated, "conformal_warp.js"), "utf8")));
   write("signatures.js", signatures(types, calls));
   write("classes.js", classes(Object.keys(calls)));
@@ -35,6 +39,19 @@ export async function assemble(generated, module, folder) {
   }
   write("conformal_warp.d.ts", internalTypes(Object.keys(calls)));
   await toCommonJs(folder, ["index", "inline"]);
+}
+
+/**
+ * The names of a part's files and entries, in the places of the whole's.
+ *
+ * @param {string} text
+ * @param {string} part
+ */
+function forPart(text, part) {
+  return text
+    .replaceAll("conformal_warp_bg.wasm", `${part}_bg.wasm`)
+    .replaceAll('"conformal-warp/pkg/"', `"conformal-warp/pkg/${part}/"`)
+    .replaceAll(/"conformal-warp\/(wasm|inline)"/g, `"conformal-warp/${part}/$1"`);
 }
 
 /**
@@ -98,6 +115,8 @@ function internalTypes(names) {
     'import type { InitOutput } from "./index.js";',
     ...names.map((name) => `export const ${name}: typeof import("./index.js").${name};`),
     "export function imports(): WebAssembly.Imports;",
+    "/** Throws unless the module has room for so many bytes. */",
+    "export function roomFor(bytes: number): void;",
     "/** Makes an instance the one that all calls go to. */",
     "export function use(instance: WebAssembly.Instance): InitOutput;",
     "/** Lets the instance go, with all that it made. */",

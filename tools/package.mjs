@@ -49,7 +49,7 @@ async function buildModule(name, { features, folder }) {
   const generated = join(built, `bindgen-${name}`);
   await step("wasm-bindgen", () => run(wasmBindgen, [compiled, "--target", "web", "--out-dir", generated]));
   const module = await optimised(join(generated, "conformal_warp_bg.wasm"), name);
-  await step("package", () => assemble(generated, module, folder));
+  await step("package", () => assemble(generated, module, folder, name === "full" ? undefined : name));
   if (name === "full") copyToPage();
   writeFileSync(stamp, inputs);
 }

@@ -58,6 +58,48 @@ test("init() takes an address, bytes, a response or a module; initSync() the lat
   }
 });
 
+test("init() pending and initSync() keep one instance; a wrong source is said in a sentence with a code", async (context) => {
+  const bytes = await readFile(join(pkg, "conformal_warp_bg.wasm"));
+  const copy = await freshCopy(context);
+  const pending = copy.default();
+  const output = copy.initSync(bytes);
+  const region = new copy.Region(square());
+  assert.equal(await pending, output);
+  assert.equal(region.boundary.length, 8);
+
+  const other = await freshCopy(context);
+  const page = new Response("<!doctype html>", { headers: { "Content-Type": "text/html" } });
+  await assert.rejects(other.default(page), { code: "load-failed", message: /what came is text\/html.*conformal-warp\/inline/ });
+  await assert.rejects(other.default(new Response("", { status: 404 })), { code: "load-failed", message: /404/ });
+  await assert.rejects(other.default(pathToFileURL("/none.wasm")), { code: "load-failed" });
+  await assert.rejects(other.default(/** @type {any} */ (7)), { code: "invalid-argument" });
+  const empty = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]);
+  await assert.rejects(other.default(empty), { code: "not-wasm" });
+  assert.throws(() => other.initSync(empty), { code: "not-wasm" });
+  await other.default();
+});
+
+test("after a crash nothing answers until init.reset(), and what was made before stays gone", async (context) => {
+  const copy = await freshCopy(context);
+  const { memory } = await copy.default();
+  const region = new copy.Region(square());
+  const map = copy.RiemannMap.solve(region);
+  // A stack that overflows traps in the module, as a fault of its own would.
+  const dive = (/** @type {number} */ depth) => {
+    copy.RiemannMap.solve(region, { onProgress: () => dive(depth + 1) });
+  };
+  assert.throws(() => dive(0), { code: "crashed", message: /await init\.reset\(\)/ });
+  for (const call of [() => map.toDisk(new Float64Array(2)), () => new copy.Region(square()), () => copy.presets()]) {
+    assert.throws(call, { code: "crashed" });
+  }
+  const again = await copy.default.reset();
+  assert.notEqual(again.memory, memory);
+  assert.throws(() => map.unknowns, { code: "stale" });
+  assert.throws(() => copy.RiemannMap.solve(region), { code: "stale" });
+  map.free();
+  assert.equal(copy.RiemannMap.solve(new copy.Region(square())).angles.length, 4);
+});
+
 test("use after free says so; freeing twice is harmless", async () => {
   await init();
   const region = new Region(square());
@@ -76,6 +118,7 @@ test("classes behave as classes", async () => {
   await init();
   const region = new Region(square());
   assert.ok(region instanceof Region);
+  assert.equal(region.constructor, Region);
   assert.equal(region.constructor.name, "Region");
   assert.throws(() => /** @type {any} */ (Region)(square()), TypeError);
 });
