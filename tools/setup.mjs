@@ -4,7 +4,7 @@ import { existsSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { Failure, root, run, step } from "./steps.mjs";
 
-const npm = process.platform === "win32" ? "npm.cmd" : "npm";
+export const npm = process.platform === "win32" ? "npm.cmd" : "npm";
 const exe = process.platform === "win32" ? ".exe" : "";
 
 /** The wasm-bindgen command-line tools, in the project's own ignored folder. */

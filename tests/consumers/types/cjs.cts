@@ -1,0 +1,3 @@
+// What TypeScript that becomes CommonJS writes.
+import warp = require("conformal-warp");
+void warp.init();
