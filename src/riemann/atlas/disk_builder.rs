@@ -15,14 +15,35 @@ use std::rc::Rc;
 
 /// A cell's radius, as a share of the distance to the circle, at which its polynomial is tried.
 const SHARE_OF_CIRCLE: f64 = 0.6;
-/// More squares are not split; what is left is Newton's method on the nearest patch.
-const MAX_SQUARES: usize = 400_000;
+/// A polynomial must fit a cell whose radius is at most this share: the inverse is univalent in the disk that touches the
+/// circle, so that its coefficients there are |aₖ| ≤ k|a₁| (de Branges), and all there is beyond is noise.
+const SURE_SHARE: f64 = 0.15;
+/// Squares that any disk may have.
+const FEWEST_SQUARES: usize = 4000;
+/// Squares for each cell or zone of the region (measured: 1 to 4 are usual).
+const SQUARES_PER_EXPANSION: usize = 16;
+/// Points of the closed disk may lie this far outside.
+const ROUNDING: f64 = 1e-14;
 /// Squares whose center is nearer to 0 than this are never left to a patch.
 const NO_ARC_WITHIN: f64 = 0.5;
 
-/// The tree, the cells and the patches of the inverse of a chart's map.
+/// What the inverse of a chart's map is cut into.
+#[derive(Clone, Debug)]
+pub struct DiskParts {
+    /// The squares.
+    pub tree: Quadtree,
+    /// Polynomials.
+    pub cells: Cells,
+    /// Boundary zones.
+    pub patches: Vec<Patch>,
+    /// Where walks to points start that no expansion reaches.
+    pub seeds: Vec<Pair>,
+}
+
+/// Cuts a chart's disk. The squares number at most [`FEWEST_SQUARES`] and [`SQUARES_PER_EXPANSION`] for each cell and zone of
+/// the region, which are in proportion to its vertices.
 #[must_use]
-pub fn build(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accuracy) -> (Quadtree, Cells, Vec<Patch>) {
+pub fn build(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accuracy) -> DiskParts {
     let mut tree = Quadtree::new(Complex64::ZERO, 1.01);
     let seeds: Vec<Pair> = region
         .cells
@@ -35,22 +56,25 @@ pub fn build(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accurac
         atlas,
         inverter: Inverter::new(atlas, region, chart, accuracy),
         chart,
-        squares: 0,
+        squares: FEWEST_SQUARES + SQUARES_PER_EXPANSION * (region.cells.len() + atlas.charts[chart].zones.list.len()),
         cells: Cells::default(),
         patches: region.patches.of_chart(chart),
+        seeds: Vec::new(),
     };
     tree.grow(tree.root(), (Rc::new(seeds), center), &mut |square, known| builder.decide(square, &known));
     tree.finish();
-    (tree, builder.cells, builder.patches.list)
+    DiskParts { tree, cells: builder.cells, patches: builder.patches.list, seeds: builder.seeds }
 }
 
 struct Builder<'a> {
     atlas: &'a Atlas,
     inverter: Inverter<'a>,
     chart: usize,
+    /// So many more may be looked at before the rest is left to walks.
     squares: usize,
     cells: Cells,
     patches: Patches,
+    seeds: Vec<Pair>,
 }
 
 /// Pairs (w, z) near a square, and the one nearest to it.
@@ -60,8 +84,8 @@ impl Builder<'_> {
     fn decide(&mut self, square: Square, known: &Known) -> Step<Known> {
         let radius = square.half * SQRT_2;
         let distance = square.center.norm();
-        self.squares += 1;
-        if distance - radius > 1.0 {
+        self.squares = self.squares.saturating_sub(1);
+        if distance - radius > 1.0 + ROUNDING {
             return Step::Leaf(Leaf::Outside.into());
         }
         match self.atlas.taken_over(self.chart, square.center, radius) {
@@ -69,9 +93,10 @@ impl Builder<'_> {
             Taken::Partly if square.level < MAX_LEVEL => return split(square, known),
             _ => {}
         }
-        if radius <= SHARE_OF_CIRCLE * (1.0 - distance) {
-            let seed = nearest_seed(&known.0, square.center).unwrap_or(known.1);
-            if let Some(cell) = self.inverter.cell(square.center, radius, seed) {
+        let seed = || nearest_seed(&known.0, square.center).unwrap_or(known.1);
+        let room = 1.0 - distance;
+        if radius <= SHARE_OF_CIRCLE * room {
+            if let Some(cell) = self.inverter.cell(square.center, radius, seed()) {
                 let index = self.cells.add(cell.center, cell.radius, self.chart, cell.coefficients());
                 return Step::Leaf(Leaf::Cell(index).into());
             }
@@ -80,13 +105,9 @@ impl Builder<'_> {
         {
             return Step::Leaf(Leaf::Patch(index).into());
         }
-        if square.level == MAX_LEVEL || self.squares > MAX_SQUARES {
-            return match self.candidates(square.center).first() {
-                Some(&zone) if distance > NO_ARC_WITHIN => {
-                    Step::Leaf(Leaf::Patch(self.patches.get(self.atlas, self.chart, zone)).into())
-                }
-                _ => Step::Leaf(Leaf::Outside.into()),
-            };
+        if radius <= SURE_SHARE * room || square.level == MAX_LEVEL || self.squares == 0 {
+            self.seeds.push(seed());
+            return Step::Leaf(Leaf::Walk(self.seeds.len() as u32 - 1).into());
         }
         split(square, known)
     }

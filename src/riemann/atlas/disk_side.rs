@@ -2,21 +2,18 @@
 //! patch's series takes over.
 
 use super::accuracy::Accuracy;
-use super::cells::Cells;
 use super::charts::Atlas;
-use super::disk_builder::build;
+use super::disk_builder::{DiskParts, build};
+use super::inverse_cell::Pair;
 use super::leaf::Leaf;
 use super::patch::Patch;
-use super::quadtree::Quadtree;
 use super::region_side::RegionSide;
 use crate::plane::Complex64;
 
 /// The inverse of one chart's map, or the chart to ask instead.
 #[derive(Clone, Debug)]
 pub struct DiskSide {
-    tree: Quadtree,
-    cells: Cells,
-    patches: Vec<Patch>,
+    parts: DiskParts,
 }
 
 /// Where a point of the disk comes from.
@@ -25,6 +22,8 @@ pub enum Source {
     Point(Complex64, Complex64),
     /// Another chart knows better.
     Chart(usize),
+    /// Walk from here.
+    Walk(Pair),
     /// Outside the disk.
     Nowhere,
 }
@@ -33,22 +32,25 @@ impl DiskSide {
     /// Builds the inverse of a chart's map.
     #[must_use]
     pub fn new(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accuracy) -> Self {
-        let (tree, cells, patches) = build(atlas, region, chart, accuracy);
-        Self { tree, cells, patches }
+        Self { parts: build(atlas, region, chart, accuracy) }
+    }
+
+    fn leaf(&self, w: Complex64) -> Leaf {
+        self.parts.tree.find(w).map_or(Leaf::Outside, Leaf::from)
     }
 
     /// w → z, for w in the closed disk, up to rounding.
     #[inline]
     #[must_use]
     pub fn at(&self, w: Complex64) -> Source {
-        let leaf = self.tree.find(w).map_or(Leaf::Outside, Leaf::from);
-        match leaf {
-            Leaf::Cell(index) => Source::Point(self.cells.value(index, w).1, Complex64::ZERO),
+        match self.leaf(w) {
+            Leaf::Cell(index) => Source::Point(self.parts.cells.value(index, w).1, Complex64::ZERO),
             Leaf::Patch(index) => {
-                let patch = &self.patches[index as usize];
+                let patch = &self.parts.patches[index as usize];
                 Source::Point(patch.zone.point(patch.straightened(w)), Complex64::ZERO)
             }
             Leaf::Chart(chart) => Source::Chart(chart as usize),
+            Leaf::Walk(index) => Source::Walk(self.parts.seeds[index as usize]),
             Leaf::Outside | Leaf::Sum(_) => Source::Nowhere,
         }
     }
@@ -56,24 +58,32 @@ impl DiskSide {
     /// w → (z, dz/dw).
     #[must_use]
     pub fn with_slope(&self, w: Complex64) -> Source {
-        let leaf = self.tree.find(w).map_or(Leaf::Outside, Leaf::from);
-        match leaf {
+        match self.leaf(w) {
             Leaf::Cell(index) => {
-                let (_, z, slope) = self.cells.value_and_slope(index, w);
+                let (_, z, slope) = self.parts.cells.value_and_slope(index, w);
                 Source::Point(z, slope)
             }
             Leaf::Patch(index) => {
-                let patch = &self.patches[index as usize];
-                let tau = patch.straightened(w);
-                Source::Point(patch.zone.point(tau), patch.inverse_slope(tau, w))
+                let (z, slope) = self.parts.patches[index as usize].inverse(w);
+                Source::Point(z, slope)
             }
             _ => self.at(w),
         }
     }
 
+    /// Squares of its tree.
+    #[must_use]
+    pub fn squares(&self) -> usize {
+        self.parts.tree.squares()
+    }
+
     /// Bytes of memory, about.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.tree.bytes() + self.cells.bytes() + self.patches.iter().map(Patch::bytes).sum::<usize>()
+        let DiskParts { tree, cells, patches, seeds } = &self.parts;
+        tree.bytes()
+            + cells.bytes()
+            + patches.iter().map(Patch::bytes).sum::<usize>()
+            + std::mem::size_of_val(&seeds[..])
     }
 }

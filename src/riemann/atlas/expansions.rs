@@ -5,7 +5,7 @@ use super::accuracy::Accuracy;
 use super::charts::Atlas;
 use super::disk_point::DiskPoint;
 use super::disk_side::{DiskSide, Source};
-use super::one_by_one::Seeds;
+use super::inverse_cell::{Inverter, Pair};
 use super::position::Position;
 use super::region_side::RegionSide;
 use crate::plane::Complex64;
@@ -13,7 +13,6 @@ use crate::symm::options::SolveOptions;
 use crate::symm::solution::Solution;
 use std::fmt;
 use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The maps region ↔ disk of a polygon's solution, with vertex 0 ↦ 1, in scaled units.
 pub struct Expansions {
@@ -21,9 +20,6 @@ pub struct Expansions {
     region: RegionSide,
     /// One a chart, built when it is first asked.
     disks: Vec<OnceLock<DiskSide>>,
-    /// One a chart, for as long as few points are asked for.
-    seeds: Vec<OnceLock<Seeds>>,
-    asked: AtomicUsize,
     accuracy: Accuracy,
 }
 
@@ -36,8 +32,7 @@ impl Expansions {
         let mut atlas = Atlas::new(solution, options);
         let region = RegionSide::new(boundary, &mut atlas, accuracy);
         let disks = vec![OnceLock::new(); atlas.charts.len()];
-        let seeds = vec![OnceLock::new(); atlas.charts.len()];
-        Self { atlas, region, disks, seeds, asked: AtomicUsize::new(0), accuracy }
+        Self { atlas, region, disks, accuracy }
     }
 
     /// Builds the way back for all charts.
@@ -50,24 +45,6 @@ impl Expansions {
     #[inline]
     fn disk(&self, chart: usize) -> &DiskSide {
         self.disks[chart].get_or_init(|| DiskSide::new(&self.atlas, &self.region, chart, self.accuracy))
-    }
-
-    /// Disk → region by one chart. Few points are inverted one by one; who asks for many gets a tree.
-    #[inline]
-    fn ask(&self, chart: usize, w: Complex64) -> Source {
-        match self.disks[chart].get() {
-            Some(disk) => disk.at(w),
-            None => self.ask_one(chart, w).unwrap_or_else(|| self.disk(chart).at(w)),
-        }
-    }
-
-    #[cold]
-    fn ask_one(&self, chart: usize, w: Complex64) -> Option<Source> {
-        if self.asked.fetch_add(1, Ordering::Relaxed) >= FEW {
-            return None;
-        }
-        let seeds = self.seeds[chart].get_or_init(|| Seeds::new(&self.atlas, &self.region, chart));
-        seeds.at(&self.atlas, &self.region, chart, self.accuracy, w)
     }
 
     /// Region → disk; `None` outside the closed region.
@@ -102,7 +79,7 @@ impl Expansions {
     #[inline]
     #[must_use]
     pub fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
-        self.follow(point, |chart, w| self.ask(chart, w)).map(|(z, _, _)| z)
+        self.follow(point, |chart, w| self.disk(chart).at(w)).map(|(z, _, _)| z)
     }
 
     /// Disk → region, with the derivative by the point's number in its chart.
@@ -132,10 +109,12 @@ impl Expansions {
         if is_outside_disk(w) {
             return None;
         }
-        for _ in 0..=self.disks.len() {
+        w = onto_disk(w);
+        for _ in 0..self.disks.len() {
             match ask(chart, w) {
                 Source::Point(z, slope) => return Some((z, slope, chart)),
-                Source::Nowhere => return None,
+                Source::Walk(seed) => return Some(self.walk(chart, seed, w)),
+                Source::Nowhere => break,
                 Source::Chart(next) => {
                     // Rounding may have put it outside, and what is far away from the next center becomes large there.
                     w = onto_disk(self.atlas.link(next, chart).apply(w));
@@ -143,13 +122,25 @@ impl Expansions {
                 }
             }
         }
-        None
+        Some(self.walk(chart, (Complex64::ZERO, self.atlas.charts[chart].center()), w))
+    }
+
+    /// Newton's method, for the few places that no expansion reaches.
+    #[cold]
+    fn walk(&self, chart: usize, seed: Pair, w: Complex64) -> (Complex64, Complex64, usize) {
+        let (z, slope) = Inverter::new(&self.atlas, &self.region, chart, self.accuracy).point(seed, w);
+        (z, slope, chart)
     }
 
     /// Number of centers that have a chart.
     #[must_use]
     pub fn charts(&self) -> usize {
         self.disks.len()
+    }
+
+    /// Squares that were looked at so far, of the region and of the disks: the work of building.
+    fn squares(&self) -> usize {
+        self.region.squares() + self.disks.iter().filter_map(OnceLock::get).map(DiskSide::squares).sum::<usize>()
     }
 
     /// Bytes of memory, about.
@@ -161,9 +152,6 @@ impl Expansions {
     }
 }
 
-/// So many points cost about as much one by one as through an easy region's tree.
-const FEW: usize = 10_000;
-
 /// The point of the closed disk nearest to `w`.
 fn onto_disk(w: Complex64) -> Complex64 {
     let square = w.norm_sqr();
@@ -174,6 +162,7 @@ impl fmt::Debug for Expansions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Expansions")
             .field("charts", &self.charts())
+            .field("squares", &self.squares())
             .field("bytes", &self.bytes())
             .finish_non_exhaustive()
     }

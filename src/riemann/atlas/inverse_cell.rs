@@ -1,11 +1,13 @@
 //! Polynomials of the inverse of one chart's map.
 
+use super::super::rounding::is_on_circle;
 use super::accuracy::Accuracy;
 use super::charts::Atlas;
 use super::power_series::{MAX_COEFFICIENTS, rescale, revert};
 use super::region_side::RegionSide;
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
+use std::sync::LazyLock;
 
 /// A point w of the disk and the z it comes from.
 pub type Pair = (Complex64, Complex64);
@@ -39,20 +41,34 @@ pub struct Inverter<'a> {
     region: &'a RegionSide,
     chart: usize,
     accuracy: Accuracy,
-    /// Roots of unity.
-    turns: [Complex64; SAMPLES],
 }
 
 /// Samples on a cell's circle.
 const SAMPLES: usize = 32;
+/// Roots of unity.
+static TURNS: LazyLock<[Complex64; SAMPLES]> =
+    LazyLock::new(|| std::array::from_fn(|k| Complex64::cis(TAU * k as f64 / SAMPLES as f64)));
 /// A series of the map is taken in this share of the distance to the wall,
 const SHARE_OF_WALL: f64 = 0.9;
 /// around a point whose image is as near to the middle of the cell as this share of its radius.
 const NEAR_MIDDLE: f64 = 0.05;
 
 const MOST_STEPS: usize = 5;
-/// Solves with errors above this are linked about as exactly as they are.
-const LOOSE: f64 = 1e-7;
+/// Steps of a walk; from the center to the last numbers before the circle there are about 100.
+const MOST_WALKED: usize = 200;
+
+/// Where a walk ended.
+struct Walk {
+    at: Complex64,
+    /// The point over `at`.
+    z: Complex64,
+    /// dz/dw there.
+    slope: Complex64,
+    reached: bool,
+}
+
+/// Region → disk.
+type Forwards<'f> = dyn Fn(Complex64) -> Option<Forward> + 'f;
 
 /// What the charts' own region sides know of a point.
 struct Forward {
@@ -65,20 +81,20 @@ struct Forward {
 impl<'a> Inverter<'a> {
     #[must_use]
     pub fn new(atlas: &'a Atlas, region: &'a RegionSide, chart: usize, accuracy: Accuracy) -> Self {
-        let turns = std::array::from_fn(|k| Complex64::cis(TAU * k as f64 / SAMPLES as f64));
-        Self { atlas, region, chart, accuracy, turns }
+        Self { atlas, region, chart, accuracy }
     }
 
     /// The inverse in the disk around `center`, from a pair not too far away, if one polynomial is accurate there.
     #[must_use]
     pub fn cell(&self, center: Complex64, radius: f64, seed: Pair) -> Option<InverseCell> {
-        let (middle, slope) = self.walk(seed, center)?;
+        let Walk { z: middle, slope, reached: true, .. } = self.walk(seed, center) else { return None };
         let mut cell = match self.sampled(center, radius, middle, slope) {
             Ok(cell) => cell,
             Err(Unsampled::Foreign) => self.reverted(center, radius, middle)?,
             Err(Unsampled::Lost) => return None,
         };
-        let tolerance = self.accuracy.tolerance;
+        // Of z, but where the map stretches of w.
+        let tolerance = self.accuracy.tolerance * slope.norm().min(1.0);
         let noise = self.accuracy.solve_error * slope.norm();
         let coefficients = &cell.coefficients[..cell.count];
         cell.count = self
@@ -101,12 +117,14 @@ impl<'a> Inverter<'a> {
         }
         let mut z = middle + slope * radius;
         let mut samples = [Complex64::ZERO; SAMPLES];
-        for (sample, direction) in samples.iter_mut().zip(self.turns) {
+        for (sample, direction) in samples.iter_mut().zip(*TURNS) {
             let w = center + direction * radius;
-            let (exact, slope, foreign) = match self.newton(w, z) {
+            let (exact, slope, foreign) = match self.newton(w, z, &|z| self.forward(z)) {
                 Some(found) => found,
                 None => {
-                    let (z, slope) = self.walk((center, middle), w).ok_or(Unsampled::Lost)?;
+                    let Walk { z, slope, reached: true, .. } = self.walk((center, middle), w) else {
+                        return Err(Unsampled::Lost);
+                    };
                     (z, slope, self.forward(z).ok_or(Unsampled::Lost)?.foreign)
                 }
             };
@@ -114,12 +132,12 @@ impl<'a> Inverter<'a> {
                 return Err(Unsampled::Foreign);
             }
             *sample = exact;
-            z = exact + slope * direction * (self.turns[1] - 1.0) * radius;
+            z = exact + slope * direction * (TURNS[1] - 1.0) * radius;
         }
         let count = self.accuracy.cell_terms().min(SAMPLES / 2 + 4);
         let mut coefficients = [Complex64::ZERO; MAX_COEFFICIENTS];
         for (k, coefficient) in coefficients[..count].iter_mut().enumerate() {
-            let turn = |j: usize| self.turns[(j * k) % SAMPLES].conj();
+            let turn = |j: usize| TURNS[(j * k) % SAMPLES].conj();
             let sum: Complex64 = samples.iter().enumerate().map(|(j, z)| (z - middle) * turn(j)).sum();
             *coefficient = sum / SAMPLES as f64;
         }
@@ -148,40 +166,61 @@ impl<'a> Inverter<'a> {
         None
     }
 
-    /// The point over `w`, from a pair not too far away; `None` where another chart had to be asked that is not as exact.
+    /// w of the closed disk → (z, dz/dw), from a pair not too far away. Where the region is too crowded to be told apart, the
+    /// last point that was found on the way.
     #[must_use]
-    pub fn point(&self, seed: Pair, w: Complex64) -> Option<Complex64> {
-        let (z, _) = self.walk(seed, w)?;
-        match self.region.patch_at(z) {
-            Some(patch) if patch.chart == self.chart => Some(patch.zone.point(patch.straightened(w))),
-            _ if !self.forward(z)?.foreign || self.accuracy.solve_error > LOOSE => Some(z),
-            _ => None,
+    pub fn point(&self, seed: Pair, w: Complex64) -> (Complex64, Complex64) {
+        if is_on_circle(w) {
+            return self.boundary_point(w);
+        }
+        let found = self.walk(seed, w);
+        match self.region.patch_at(found.z) {
+            Some(patch) if patch.chart == self.chart && found.reached => patch.inverse(w),
+            _ => (found.z, found.slope),
         }
     }
 
-    /// From a known pair to the point over `w`, in steps over which the inverse is nearly linear; also dz/dw there.
-    fn walk(&self, (mut at, mut z): Pair, w: Complex64) -> Option<(Complex64, Complex64)> {
-        let mut slope = self.forward(z)?.slope.inv();
-        for _ in 0..200 {
-            let room = 0.3 * (1.0 - at.norm_sqr()).min(1.0);
-            let step = w - at;
+    fn boundary_point(&self, w: Complex64) -> (Complex64, Complex64) {
+        let z = self.atlas.charts[self.chart].boundary_point(w.arg() / TAU);
+        match self.region.patch_at(z) {
+            // Beside a corner the patch knows better than numbers that count from vertex 0.
+            Some(patch) if patch.chart == self.chart => patch.inverse(w),
+            _ => (z, self.forward(z).map_or(Complex64::ZERO, |value| value.slope.inv())),
+        }
+    }
+
+    /// From a known pair to the point over `w`: by what the region's side knows, or, where the expansions that meet there
+    /// differ too much, by the chart's own sum.
+    fn walk(&self, seed: Pair, w: Complex64) -> Walk {
+        let walk = self.walk_by(seed, w, &|z| self.forward(z));
+        if walk.reached { walk } else { self.walk_by((walk.at, walk.z), w, &|z| self.own(z)) }
+    }
+
+    /// The same in steps over which the inverse is nearly linear.
+    fn walk_by(&self, (at, z): Pair, w: Complex64, forward: &Forwards) -> Walk {
+        let mut walk = Walk { at, z, slope: Complex64::ZERO, reached: false };
+        let Some(start) = forward(z) else { return walk };
+        walk.slope = start.slope.inv();
+        for _ in 0..MOST_WALKED {
+            let room = 0.3 * (1.0 - walk.at.norm_sqr()).min(1.0);
+            let step = w - walk.at;
             let length = step.norm();
-            let next = if length <= room { w } else { at + step * (room / length) };
-            (z, slope, _) = self.newton(next, z + (next - at) * slope)?;
-            at = next;
-            if next == w {
-                return Some((z, slope));
+            let at = if length <= room { w } else { walk.at + step * (room / length) };
+            let Some((z, slope, _)) = self.newton(at, walk.z + (at - walk.at) * walk.slope, forward) else { break };
+            walk = Walk { at, z, slope, reached: at == w };
+            if walk.reached {
+                break;
             }
         }
-        None
+        walk
     }
 
     /// Newton's method for f(z) = w; returns z, dz/dw, and whether the last value was another chart's.
-    fn newton(&self, w: Complex64, mut z: Complex64) -> Option<(Complex64, Complex64, bool)> {
+    fn newton(&self, w: Complex64, mut z: Complex64, forward: &Forwards) -> Option<(Complex64, Complex64, bool)> {
         let mut last = f64::INFINITY;
         let noise = self.accuracy.solve_error;
         for _ in 0..20 {
-            let value = self.forward(z)?;
+            let value = forward(z)?;
             let inverse = value.slope.inv();
             let step = (w - value.w) * inverse;
             let size = step.norm_sqr().sqrt();
@@ -199,6 +238,18 @@ impl<'a> Inverter<'a> {
             last = size;
         }
         None
+    }
+
+    /// By the chart's own sum.
+    fn own(&self, z: Complex64) -> Option<Forward> {
+        let wall = self.atlas.walls.nearest(z, &self.atlas.walls.all());
+        if !wall.inside {
+            return None;
+        }
+        let mut series = [Complex64::ZERO; 2];
+        let reach = 0.1 * wall.distance;
+        self.atlas.charts[self.chart].expand(z, reach, &mut series);
+        Some(Forward { w: series[0], slope: series[1] / reach, foreign: false })
     }
 
     fn forward(&self, z: Complex64) -> Option<Forward> {

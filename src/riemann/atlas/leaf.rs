@@ -16,6 +16,8 @@ pub enum Leaf {
     Sum(u32),
     /// Disk → region: ask this chart.
     Chart(u32),
+    /// Disk → region: no expansion; walk from this seed.
+    Walk(u32),
 }
 
 impl From<u32> for Leaf {
@@ -27,6 +29,7 @@ impl From<u32> for Leaf {
             1 => Self::Patch(index),
             2 => Self::Sum(index),
             3 => Self::Chart(index),
+            4 => Self::Walk(index),
             _ => Self::Outside,
         }
     }
@@ -39,7 +42,8 @@ impl From<Leaf> for u32 {
             Leaf::Patch(index) => (index, 1),
             Leaf::Sum(chart) => (chart, 2),
             Leaf::Chart(chart) => (chart, 3),
-            Leaf::Outside => (0, 4),
+            Leaf::Walk(seed) => (seed, 4),
+            Leaf::Outside => (0, 5),
         };
         index << KIND_BITS | kind
     }

@@ -18,8 +18,7 @@
 //! - [`charts`] maps the region for several centers, with a [`link`] between any two and the [`position`] of each;
 //! - [`region_side`] goes region → disk: a [`quadtree`] whose [`leaf`] is one of its [`cells`] or one of its [`patches`]
 //!   (each a [`patch`]), as [`region_builder`] decides;
-//! - [`disk_side`] goes disk → region: [`disk_builder`] cuts a chart's disk into the cells of [`inverse_cell`], and
-//!   [`one_by_one`] does without for a few points;
+//! - [`disk_side`] goes disk → region: [`disk_builder`] cuts a chart's disk into the cells of [`inverse_cell`];
 //! - [`expansions`] is all of it for one region, its points are [`disk_point`]s; [`passage`] goes on to another region.
 
 mod accuracy;
@@ -33,7 +32,6 @@ mod fit;
 mod inverse_cell;
 mod leaf;
 mod link;
-mod one_by_one;
 mod passage;
 mod patch;
 mod patches;

@@ -148,9 +148,15 @@ impl Patch {
         (self.on_disk(real_value(&self.coefficients, tau)) - w).norm() < 1e-12
     }
 
-    /// dz/dw where τ is known.
+    /// w → (z, dz/dw).
     #[must_use]
-    pub fn inverse_slope(&self, tau: Complex64, w: Complex64) -> Complex64 {
+    pub fn inverse(&self, w: Complex64) -> (Complex64, Complex64) {
+        let tau = self.straightened(w);
+        (self.zone.point(tau), self.inverse_slope(tau, w))
+    }
+
+    /// dz/dw where τ is known.
+    fn inverse_slope(&self, tau: Complex64, w: Complex64) -> Complex64 {
         let (_, slope) = real_value_and_slope(&self.coefficients, tau);
         (Complex64::i() * w * slope * self.zone.slope(tau)).inv()
     }

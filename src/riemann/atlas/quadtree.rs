@@ -115,6 +115,12 @@ impl Quadtree {
         entry
     }
 
+    /// How many squares were looked at.
+    #[must_use]
+    pub fn squares(&self) -> usize {
+        self.entries.len()
+    }
+
     /// Bytes of memory.
     #[must_use]
     pub fn bytes(&self) -> usize {

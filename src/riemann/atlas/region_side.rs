@@ -42,7 +42,7 @@ impl RegionSide {
                 let patch = &self.patches.list[index as usize];
                 patch.value(z).map(|w| (patch.chart, w))
             }
-            Leaf::Outside | Leaf::Chart(_) => None,
+            Leaf::Outside | Leaf::Chart(_) | Leaf::Walk(_) => None,
             Leaf::Sum(chart) => {
                 let w = self.directly(atlas, chart as usize, z)?;
                 Some((chart as usize, w))
@@ -60,7 +60,7 @@ impl RegionSide {
                 let patch = &self.patches.list[index as usize];
                 patch.value_and_slope(z).map(|(w, slope)| (patch.chart, w, slope))
             }
-            Leaf::Outside | Leaf::Chart(_) => None,
+            Leaf::Outside | Leaf::Chart(_) | Leaf::Walk(_) => None,
             Leaf::Sum(chart) => {
                 let nearest = atlas.walls.nearest(z, &atlas.walls.all());
                 if !nearest.inside || nearest.distance == 0.0 {
@@ -93,6 +93,12 @@ impl RegionSide {
             return Some(Complex64::cis(std::f64::consts::TAU * measure));
         }
         nearest.inside.then(|| map.direct(z))
+    }
+
+    /// Squares of its tree.
+    #[must_use]
+    pub fn squares(&self) -> usize {
+        self.tree.squares()
     }
 
     /// Bytes of memory, about.
