@@ -155,3 +155,42 @@ test("the address holds the drawing: opened elsewhere it gives the same picture"
   await garbled.close();
   await close();
 });
+
+test("one looks closer at photo and disk by wheel, buttons and keys, edits there, and sees all again", async () => {
+  const { page, errors, close } = await openPage(session);
+  const whole = await disk(page);
+  const at = await middle(handle(page, "vertex", 3));
+  await page.mouse.move(at.x, at.y);
+  const scrolled = await page.evaluate(() => window.scrollY);
+  await page.keyboard.down("Control");
+  await page.mouse.wheel(0, -800);
+  await page.keyboard.up("Control");
+  const near = await middle(handle(page, "vertex", 3));
+  // A wheel's event knows whole pixels only.
+  assert.ok(Math.hypot(near.x - at.x, near.y - at.y) < 4, "what is under the pointer stays there");
+  const [a, b] = [await middle(handle(page, "vertex", 2)), await middle(handle(page, "vertex", 4))];
+  assert.ok(Math.hypot(a.x - b.x, a.y - b.y) > 100, "its neighbours are farther apart");
+  assert.equal(await page.evaluate(() => window.scrollY), scrolled);
+  await screenshot(page, "closer");
+  await drag(page, near, { x: near.x + 30, y: near.y - 12 });
+  const moved = await middle(handle(page, "vertex", 3));
+  assert.ok(Math.hypot(moved.x - near.x - 30, moved.y - near.y + 12) < 1);
+  await settled(page, "ready");
+  await page.keyboard.press("Control+z");
+  await page.locator("#photo-stage .zoom button").nth(2).click();
+  const back = await middle(handle(page, "vertex", 3));
+  assert.ok(Math.hypot(back.x - at.x, back.y - at.y) < 1);
+  await settled(page, "ready");
+  assert.equal((await disk(page)).digest, whole.digest);
+
+  await page.locator(".target .zoom button").first().focus();
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("ArrowLeft");
+  await settled(page, "ready");
+  assert.notEqual((await disk(page)).digest, whole.digest);
+  await page.keyboard.press("0");
+  await settled(page, "ready");
+  assert.equal((await disk(page)).digest, whole.digest);
+  assert.deepEqual(errors, []);
+  await close();
+});

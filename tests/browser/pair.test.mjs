@@ -153,3 +153,22 @@ test("all built-in shapes go into a horseshoe: without a mesh the picture is dra
   assert.deepEqual(errors, []);
   await close();
 });
+
+test("looking closer at the second photo draws its picture anew, and all of it is as before", async () => {
+  const { page, errors, close } = await openRegions();
+  const whole = await picture(page);
+  await page.locator("#to-stage .zoom button").first().focus();
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("ArrowUp");
+  await settled(page, "ready");
+  await page.mouse.move(0, 0);
+  const near = await picture(page);
+  assert.notEqual(near.digest, whole.digest);
+  await screenshot(page, "pair-closer");
+  await page.keyboard.press("0");
+  await settled(page, "ready");
+  assert.equal((await picture(page)).digest, whole.digest);
+  assert.deepEqual(errors, []);
+  await close();
+});

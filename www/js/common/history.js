@@ -1,6 +1,6 @@
 // A value with undo: drags are seen at once and become one step when they end.
 
-/** @typedef {"drag" | "commit" | "view" | "mode"} Change what happened: a drag goes on, an edit is complete, … */
+/** @typedef {"drag" | "commit" | "view" | "mode" | "look"} Change what happened: a drag goes on, an edit is complete, … */
 
 const LONGEST = 200;
 

@@ -1,21 +1,17 @@
 // A panel that looks at a part of the plane: dragged to move, wheel or two fingers to zoom, or steered by keys.
 
 import { deviceGrid, paint } from "./canvas.js";
-import { onGrid, scaleOf, toPixels, toPlane } from "./frame.js";
+import { onGrid, scaleOf, toPixels } from "./frame.js";
 import { onEscape } from "./keys.js";
+import { shifted, steered, wheelRatio, zoomed } from "./placement.js";
 import { pixelOf, set, svg } from "./svg.js";
 
 /** @typedef {import("./frame.js").Frame} Frame */
 /** @typedef {import("./frame.js").Point} Point */
-/** @typedef {{ center: Point, width: number }} Placement */
+/** @typedef {import("./placement.js").Placement} Placement */
 
-/** A notch of the wheel zooms by about this. */
-const ZOOM = 1.0015;
-/** What a key does: the share of the width that it moves by, and how much it zooms; the width of the view that 0 goes to. */
-const [KEY_STEP, KEY_ZOOM] = [0.02, 1.25];
+/** The width of the view that 0 goes to. */
 export const HOME = 4;
-/** Widths beyond these are of no use, and run out of digits. */
-const [NARROWEST, WIDEST] = [1e-9, 1e9];
 
 export class PlaneView {
   root;
@@ -87,8 +83,7 @@ export class PlaneView {
     const { root } = this;
     root.addEventListener("wheel", (event) => {
       event.preventDefault();
-      const notch = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 20 * event.deltaY : event.deltaY;
-      onMove(this.#zoomed(pixelOf(root, event), ZOOM ** notch));
+      onMove(zoomed(this.frame, pixelOf(root, event), wheelRatio(event)));
     }, { passive: false });
     root.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
@@ -103,9 +98,9 @@ export class PlaneView {
       const at = pixelOf(root, event);
       const [other] = [...this.#fingers].filter(([id]) => id !== event.pointerId).map(([, point]) => point);
       this.#fingers.set(event.pointerId, at);
-      if (!other) return onMove(this.#shifted(last, at));
+      if (!other) return onMove(shifted(this.frame, last, at));
       const ratio = Math.hypot(last[0] - other[0], last[1] - other[1]) / Math.hypot(at[0] - other[0], at[1] - other[1]);
-      if (Number.isFinite(ratio)) onMove(this.#zoomed(other, ratio));
+      if (Number.isFinite(ratio)) onMove(zoomed(this.frame, other, ratio));
     });
     for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
       root.addEventListener(end, (event) => {
@@ -114,7 +109,7 @@ export class PlaneView {
       });
     }
     root.addEventListener("keydown", (event) => {
-      const place = this.#steered(event);
+      const place = steered(this.frame, event, { center: [0, 0], width: HOME });
       if (!place) return;
       event.preventDefault();
       onMove(place);
@@ -126,35 +121,5 @@ export class PlaneView {
       onMove(this.#before);
       return true;
     });
-  }
-
-  /** Where a key leads: arrows move, + and − zoom, 0 goes home. @param {KeyboardEvent} event @returns {Placement | null} */
-  #steered({ key, shiftKey, ctrlKey, metaKey, altKey }) {
-    if (ctrlKey || metaKey || altKey) return null;
-    const { center, width, pixels } = this.frame;
-    /** @type {Point} */
-    const middle = [pixels[0] / 2, pixels[1] / 2];
-    if (key === "0") return { center: [0, 0], width: HOME };
-    if (key === "+" || key === "=") return this.#zoomed(middle, 1 / KEY_ZOOM);
-    if (key === "-") return this.#zoomed(middle, KEY_ZOOM);
-    const direction = new Map(Object.entries({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] })).get(key);
-    const step = (shiftKey ? 5 : 1) * KEY_STEP * width;
-    return direction ? { center: [center[0] + step * direction[0], center[1] + step * direction[1]], width } : null;
-  }
-
-  /** The place in which the point seen at `from` is seen at `to`. @param {Point} from @param {Point} to @returns {Placement} */
-  #shifted(from, to) {
-    const [[x0, y0], [x1, y1]] = [toPlane(this.frame, from), toPlane(this.frame, to)];
-    const { center, width } = this.frame;
-    return { center: [center[0] + x0 - x1, center[1] + y0 - y1], width };
-  }
-
-  /** Wider by `ratio`, with the point under `pixel` where it is. @param {Point} pixel @param {number} ratio @returns {Placement} */
-  #zoomed(pixel, ratio) {
-    const { center, width } = this.frame;
-    const [x, y] = toPlane(this.frame, pixel);
-    const wanted = Math.min(WIDEST, Math.max(NARROWEST, width * ratio));
-    const r = wanted / width;
-    return { center: [x + (center[0] - x) * r, y + (center[1] - y) * r], width: wanted };
   }
 }

@@ -36,8 +36,8 @@ let outcome = null;
 /** Whether an address is being followed: what could not be read of it is left there. */
 let visiting = false;
 
-const photoView = new PhotoView(element("photo"), element("photo-marks"));
-const diskView = new DiskView(element("disk"), element("disk-lines"), element("disk-marks"));
+const photoView = new PhotoView(element("photo"), element("photo-marks"), () => refresh(false, false));
+const diskView = new DiskView(element("disk"), element("disk-lines"), element("disk-marks"), () => refresh(true, true));
 /** @type {Scheduler<import("./pipeline.js").Job, import("./pipeline.js").Result>} */
 const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), { ...statusOfPage, onResult, failureWords });
 

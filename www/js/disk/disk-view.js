@@ -1,10 +1,11 @@
 // The right panel: the warped picture on the unit disk, its rim, the images of the corners and of the inward vector.
 
 import { deviceGrid, Layer, paint } from "../common/canvas.js";
-import { diskFrame, scaleOf, toPixels } from "../common/frame.js";
+import { diskFrame, onGrid, scaleOf, toPixels } from "../common/frame.js";
 import { drawMesh, drawPolarGrid } from "../editor/overlay.js";
 import { RAYS, RINGS } from "./polar.js";
 import { match, set, svg } from "../common/svg.js";
+import { Zoom } from "../common/zoom.js";
 import { markVector, updateVector } from "../editor/vector.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
@@ -14,8 +15,11 @@ import { markVector, updateVector } from "../editor/vector.js";
 
 export class DiskView {
   root;
-  /** In CSS pixels of the panel. @type {Frame} */
+  /** What is seen of the disk's plane, in CSS pixels of the panel. @type {Frame} */
   frame = diskFrame(1);
+  /** All of the disk. @type {Frame} */
+  home = this.frame;
+  #zoom;
   #canvas;
   #layer;
   #rim = svg("circle", { class: "rim" });
@@ -24,9 +28,11 @@ export class DiskView {
   #zero = svg("text", { class: "label" });
   #one = svg("text", { class: "label" });
 
-  /** @param {HTMLCanvasElement} canvas of the picture @param {HTMLCanvasElement} lines @param {SVGSVGElement} root */
-  constructor(canvas, lines, root) {
+  /** @param {HTMLCanvasElement} canvas of the picture @param {HTMLCanvasElement} lines @param {SVGSVGElement} root @param {() => void} onZoom called when another part is looked at */
+  constructor(canvas, lines, root, onZoom) {
     this.root = root;
+    // All ground of the disk is held by its own drags.
+    this.#zoom = new Zoom(root, () => this, onZoom, ({ shiftKey }) => shiftKey);
     this.#canvas = canvas;
     this.#layer = new Layer(lines);
     this.#zero.textContent = "0";
@@ -35,12 +41,13 @@ export class DiskView {
   }
 
   fit() {
-    this.frame = diskFrame(Math.max(1, this.root.getBoundingClientRect().width));
+    this.home = diskFrame(Math.max(1, this.root.getBoundingClientRect().width));
+    this.frame = this.#zoom.within(this.home);
   }
 
   /** The frame to render in. @param {number} sharpness 1 for the screen's own pixels */
   view(sharpness) {
-    return diskFrame(deviceGrid(this.frame.pixels, sharpness, 64)[0]);
+    return onGrid(this.frame, deviceGrid(this.frame.pixels, sharpness, 64));
   }
 
   /** @param {import("./pipeline.js").Result} result */

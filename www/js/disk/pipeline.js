@@ -1,6 +1,7 @@
 // From a drawn region to a picture of the disk: the page's only way through the package, wherever it runs.
 
 import { JointTriangulation, Texture } from "../../pkg/index.js";
+import { diskFrame } from "../common/frame.js";
 import { SolvedMap } from "../editor/solved-map.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
@@ -31,6 +32,9 @@ import { SolvedMap } from "../editor/solved-map.js";
  */
 
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
+/** Meshes are not made finer than for a view so wide. */
+const MESH_WIDTH = 0.5;
+
 /** @implements {Pipeline<Job, Result>} */
 export class RegionPipeline {
   /** @type {{ texture: Texture, frame: Frame } | null} */
@@ -80,10 +84,12 @@ export class RegionPipeline {
 
   /** @param {Job} job @param {RiemannMap} map */
   #mesh({ boundary, center, toward, tolerance, maxErrorPixels, view }, map) {
-    const key = JSON.stringify([[...boundary], center, toward, tolerance, maxErrorPixels, view]);
+    // A mesh for all of the disk: one looks closer at the same, only so far at a finer one.
+    const frame = { ...diskFrame(view.pixels[0]), width: Math.max(view.width, MESH_WIDTH) };
+    const key = JSON.stringify([[...boundary], center, toward, tolerance, maxErrorPixels, frame]);
     if (this.#meshed?.key === key) return this.#meshed;
     const begin = performance.now();
-    const mesh = JointTriangulation.regionToDisk(map, { maxErrorPixels, frame: view });
+    const mesh = JointTriangulation.regionToDisk(map, { maxErrorPixels, frame });
     this.#meshed?.mesh.free();
     this.#meshed = { key, mesh, ms: performance.now() - begin };
     return this.#meshed;

@@ -29,7 +29,7 @@ export class Traveller {
     root.addEventListener("pointerdown", (event) => {
       const from = this.#point(event);
       const held = locator();
-      if (event.button !== 0 || this.#hold || !held || Math.hypot(...from) > FARTHEST) return;
+      if (event.button !== 0 || event.shiftKey || this.#hold || !held || Math.hypot(...from) > FARTHEST) return;
       event.preventDefault();
       root.setPointerCapture(event.pointerId);
       this.#hold = { pointer: event.pointerId, from, region: store.doc.region, locator: held };

@@ -209,7 +209,7 @@ export class Editor {
 
   /** The part of a shift that keeps the region on the photo. @param {Region} region @param {Point} shift @returns {Point} */
   #within({ boundary }, [dx, dy]) {
-    const { width, pixels } = this.#view.frame;
+    const { width, pixels } = this.#view.home;
     /** @param {0 | 1} axis @param {number} half @param {number} d */
     const clamp = (axis, half, d) => {
       const values = boundary.map((p) => p[axis]);

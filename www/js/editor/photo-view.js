@@ -1,7 +1,8 @@
 // The left panel: the photo, dimmed outside the region, with the region's outline, points and inward vector over it.
 
 import { Layer } from "../common/canvas.js";
-import { onGrid, toPixels } from "../common/frame.js";
+import { onGrid, scaleOf, toPixels } from "../common/frame.js";
+import { Zoom } from "../common/zoom.js";
 import { drawLines, drawMesh } from "./overlay.js";
 import { faults, towardPoint } from "./region.js";
 import { match, pathData, set, svg } from "../common/svg.js";
@@ -13,13 +14,17 @@ import { markVector, updateVector } from "./vector.js";
 /** @typedef {import("./store.js").Store} Store */
 /**
  * What is drawn with the photo: a picture inside the region, how much the outside is dimmed, triangles, lines.
- * @typedef {{ inside?: CanvasImageSource, dim: number, mesh?: { points: Float64Array, edges: Uint32Array }, lines?: Point[][] }} Layers
+ * @typedef {{ inside?: { picture: CanvasImageSource, frame: Frame }, dim: number, mesh?: { points: Float64Array, edges: Uint32Array }, lines?: Point[][] }} Layers
  */
 
 export class PhotoView {
   root;
   /** The photo's frame in CSS pixels of the panel. @type {Frame} */
   frame = { center: [0, 0], width: 2, pixels: [1, 1] };
+  /** The whole photo's frame in CSS pixels of the panel. @type {Frame} */
+  home = this.frame;
+  #photo = "";
+  #zoom;
   #layer;
   #body = svg("path", { class: "body", "data-part": "body" });
   #halo = svg("path", { class: "halo" });
@@ -28,9 +33,10 @@ export class PhotoView {
   #vertices = svg("g", { class: "vertices" });
   #vector = markVector(true);
 
-  /** @param {HTMLCanvasElement} canvas @param {SVGSVGElement} root */
-  constructor(canvas, root) {
+  /** @param {HTMLCanvasElement} canvas @param {SVGSVGElement} root @param {() => void} onZoom called when another part is looked at */
+  constructor(canvas, root, onZoom) {
     this.root = root;
+    this.#zoom = new Zoom(root, () => this, onZoom, (event) => !root.classList.contains("drawing") && !(event.target instanceof Element && event.target.closest("[data-part]")));
     this.#layer = new Layer(canvas);
     root.append(this.#body, this.#halo, this.#outline, this.#edges, this.#vertices, this.#vector);
   }
@@ -38,7 +44,10 @@ export class PhotoView {
   /** @param {Picture} picture */
   fit(picture) {
     const { width, height } = this.root.getBoundingClientRect();
-    this.frame = onGrid(picture.frame, [Math.max(1, width), Math.max(1, height)]);
+    this.home = onGrid(picture.frame, [Math.max(1, width), Math.max(1, height)]);
+    if (picture.id !== this.#photo) this.#zoom.reset();
+    this.#photo = picture.id;
+    this.frame = this.#zoom.within(this.home);
   }
 
   /** @param {Picture} picture @param {Store} store @param {Layers} layers */
@@ -48,14 +57,14 @@ export class PhotoView {
   }
 
   /** @param {Picture} picture @param {Store} store @param {Layers} layers */
-  #drawPhoto({ canvas }, { doc, mode }, { inside, dim, mesh, lines }) {
+  #drawPhoto({ canvas, frame: whole }, { doc, mode }, { inside, dim, mesh, lines }) {
     const drawing = this.#layer.begin(this.frame);
     const { context, frame } = drawing;
     const [width, height] = frame.pixels;
     context.imageSmoothingQuality = "high";
-    context.drawImage(canvas, 0, 0, width, height);
+    drawWithin(drawing, canvas, whole);
     if (mode === "draw") return;
-    if (inside) context.drawImage(inside, 0, 0, width, height);
+    if (inside) drawWithin(drawing, inside.picture, inside.frame);
     const outside = new Path2D(pathData(doc.region.boundary.map((p) => toPixels(frame, p)), true));
     outside.rect(0, 0, width, height);
     context.fillStyle = `rgb(0 0 0 / ${dim})`;
@@ -89,6 +98,13 @@ export class PhotoView {
   focusVertex(index) {
     /** @type {SVGElement | undefined} */ (this.#vertices.children[index])?.focus();
   }
+}
+
+/** A picture where its frame lies. @param {import("../common/canvas.js").Drawing} drawing @param {CanvasImageSource} picture @param {Frame} whole */
+function drawWithin({ context, frame }, picture, { center, width, pixels }) {
+  const height = (width * pixels[1]) / pixels[0];
+  const [left, top] = toPixels(frame, [center[0] - width / 2, center[1] + height / 2]);
+  context.drawImage(picture, left, top, width * scaleOf(frame), height * scaleOf(frame));
 }
 
 /** @param {number} index */

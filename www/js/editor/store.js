@@ -34,6 +34,11 @@ export class Store extends History {
     this.tell("view");
   }
 
+  /** Another part of the picture is looked at. */
+  look() {
+    this.tell("look");
+  }
+
   /** @param {"edit" | "draw"} mode */
   setMode(mode) {
     if (mode === this.mode) return;

@@ -87,8 +87,9 @@ async function visit() {
 async function onChange(side, change) {
   active = side;
   await side.follow();
-  refresh(change === "drag" || change === "commit", change === "drag");
-  if (change !== "drag" && !visiting) remember();
+  const looking = change === "look" && side === to;
+  refresh(change === "drag" || change === "commit" || looking, change === "drag" || looking);
+  if (change !== "drag" && change !== "look" && !visiting) remember();
 }
 
 /** Draws the page, and computes it anew if asked to. @param {boolean} solving @param {boolean} [dragging] */
@@ -126,7 +127,7 @@ function draw() {
   const mesh = showMesh ? outcome?.mesh : null;
   const edges = mesh ? outcome?.edges : undefined;
   from.draw({ dim: DIM, mesh: mesh && edges ? { points: mesh.source, edges } : undefined });
-  to.draw({ dim: 0, inside: outcome?.picture, mesh: mesh && edges ? { points: mesh.target, edges } : undefined });
+  to.draw({ dim: 0, inside: outcome?.inside, mesh: mesh && edges ? { points: mesh.target, edges } : undefined });
   press("mesh", showMesh);
   /** @type {HTMLButtonElement} */ (element("mesh")).disabled = outcome !== null && !outcome.mesh;
 }

@@ -9,14 +9,14 @@ import { meshEdges } from "../editor/overlay.js";
 
 export class Outcome {
   mesh;
-  picture;
+  inside;
   /** @type {Carrier} */ carrier;
   /** @type {Uint32Array | undefined} */ #edges;
 
   /** @param {Result} result @param {Carrier} worker which carries points where there is no mesh */
   constructor({ mesh, pixels, view }, worker) {
     this.mesh = mesh;
-    this.picture = canvasOf(pixels, view.pixels);
+    this.inside = { picture: canvasOf(pixels, view.pixels), frame: view };
     this.carrier = mesh ? new Locator(mesh) : worker;
   }
 

@@ -18,9 +18,12 @@ import { SolvedMap } from "../editor/solved-map.js";
 
 /** A mesh whose pieces are farther off the map than this many times what was asked for is not shown. */
 const OFF = 2;
-/** Corners nearer to each other than this on the circle, in radians, may leave no room for a mesh; a coarse one is off by this. */
+/** Corners nearer to each other than this on the circle, in radians, may leave no room for a mesh: that is tried with maps of this tolerance, to so many pixels. */
 const NARROW = 1e-4;
+const ROUGH = 1e-3;
 const COARSE = 2;
+/** Meshes are not made finer than for a view so wide. */
+const MESH_WIDTH = 0.5;
 /** Rows that are drawn point by point before the page is listened to. */
 const BAND = 16;
 /** What the library says when the maps leave no room for a mesh. */
@@ -32,6 +35,8 @@ export class RegionsPipeline {
   #picture = null;
   #from = new SolvedMap();
   #to = new SolvedMap();
+  #roughFrom = new SolvedMap();
+  #roughTo = new SolvedMap();
   /** The map between both regions, where the last picture has no mesh. @type {RegionMap | null} */
   #between = null;
 
@@ -50,7 +55,7 @@ export class RegionsPipeline {
     const from = this.#from.solve(job.from, job.tolerance, (stage, share) => talk.progress(stage, share / 3));
     const to = this.#to.solve(job.to, job.tolerance, (stage, share) => talk.progress(stage, (1 + share) / 3));
     const begin = performance.now();
-    const joint = triangulate(from, to, job);
+    const joint = this.#triangulate(from, to, job);
     const meshed = performance.now();
     /** @type {Uint8ClampedArray} */
     let pixels;
@@ -79,6 +84,19 @@ export class RegionsPipeline {
     return { result, transfer: arrays.map(({ buffer }) => buffer) };
   }
 
+  /** The mesh, if there is one that keeps to what was asked for. @param {Solved} from @param {Solved} to @param {Job} job */
+  #triangulate(from, to, job) {
+    const crowded = [from, to].some(({ map }) => narrowest(map.angles) < NARROW);
+    if (crowded && job.tolerance < ROUGH) {
+      // Where the boundary is crowded on the circle, rough maps soon tell whether a mesh is worth the time.
+      const rough = [this.#roughFrom.solve(job.from, ROUGH, () => {}), this.#roughTo.solve(job.to, ROUGH, () => {})];
+      const mesh = meshWithin(rough[0], rough[1], COARSE, job.view);
+      if (!mesh) return null;
+      mesh.free();
+    }
+    return meshWithin(from, to, job.maxErrorPixels, job.view);
+  }
+
   /** Points carried by the map itself, where there is no mesh that the page could ask. @param {{ side: Side, points: Point[] }} question @returns {(Point | null)[] | null} */
   answer({ side, points }) {
     const flat = flatten(points);
@@ -92,23 +110,9 @@ export class RegionsPipeline {
   }
 }
 
-/** The mesh, if there is one that keeps to what was asked for. @param {Solved} from @param {Solved} to @param {Job} job */
-function triangulate(from, to, { maxErrorPixels, view }) {
-  const crowded = [from, to].some(({ map }) => narrowest(map.angles) < NARROW);
-  // Where the boundary is crowded on the circle a coarse mesh soon tells whether a fine one is worth the time.
-  const careful = crowded && maxErrorPixels < COARSE ? [COARSE, maxErrorPixels] : [maxErrorPixels];
-  /** @type {JointTriangulation | null} */
-  let joint = null;
-  for (const pixels of careful) {
-    joint?.free();
-    joint = meshWithin(from, to, pixels, view);
-    if (!joint) return null;
-  }
-  return joint;
-}
-
-/** @param {Solved} from @param {Solved} to @param {number} maxErrorPixels @param {Frame} frame @returns {JointTriangulation | null} */
-function meshWithin(from, to, maxErrorPixels, frame) {
+/** @param {Solved} from @param {Solved} to @param {number} maxErrorPixels @param {Frame} view @returns {JointTriangulation | null} */
+function meshWithin(from, to, maxErrorPixels, view) {
+  const frame = { ...view, width: Math.max(view.width, MESH_WIDTH) };
   try {
     const joint = JointTriangulation.regionToRegion(from.map, to.map, { maxErrorPixels, frame });
     const { largestErrorPixels = 0 } = joint.evidence;

@@ -34,7 +34,7 @@ export class Side {
     this.picture = picture;
     const store = new Store(doc, { mesh: false, grid: false });
     this.store = store;
-    this.view = new PhotoView(element(`${name}-photo`), element(`${name}-marks`));
+    this.view = new PhotoView(element(`${name}-photo`), element(`${name}-marks`), () => store.look());
     new Editor(store, this.view);
     this.#pen = new Pen({
       view: this.view,
@@ -78,9 +78,9 @@ export class Side {
     return { boundary: flatten(region.boundary), center: region.center, toward: towardPoint(region) };
   }
 
-  /** The photo's frame on the panel's own pixels. @param {number} sharpness 1 for all of them */
+  /** What is seen of the photo, on the panel's own pixels. @param {number} sharpness 1 for all of them */
   frame(sharpness) {
-    return onGrid(this.picture.frame, deviceGrid(this.view.frame.pixels, sharpness));
+    return onGrid(this.view.frame, deviceGrid(this.view.frame.pixels, sharpness));
   }
 
   /** @param {import("../editor/photo-view.js").Layers} layers */
