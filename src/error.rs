@@ -19,7 +19,7 @@ pub enum Error {
         what: String,
     },
     /// Two edges of the boundary cross or touch.
-    #[error("The boundary crosses or touches itself: edge {first} meets edge {second} near ({:.6}, {:.6}).", .at.re, .at.im)]
+    #[error("The boundary crosses or touches itself: edge {first} meets edge {second} near {}.", place(.at))]
     SelfIntersecting {
         /// Index of the first edge (edge k runs from vertex k to vertex k + 1).
         first: usize,
@@ -29,13 +29,15 @@ pub enum Error {
         at: Complex64,
     },
     /// Text that is no outline.
-    #[error("The outline cannot be read: {reason}. Give points as JSON, [[x, y], …], or the data of one SVG path.")]
+    #[error(
+        "The outline cannot be read: {reason}. Give points as JSON, [[x, y], …], the data of one SVG path, or an SVG file that draws one curve."
+    )]
     InvalidOutline {
         /// What is wrong with it.
         reason: String,
     },
     /// The center is not strictly inside the region.
-    #[error("The center ({:.6}, {:.6}) must lie inside the region.", .center.re, .center.im)]
+    #[error("The center {} must lie inside the region.", place(.center))]
     CenterOutside {
         /// The center given.
         center: Complex64,
@@ -114,7 +116,7 @@ pub enum Error {
         nodes: usize,
     },
     /// Parts of a mesh that numbers can no longer tell apart.
-    #[error("The maps crowd the mesh near ({:.6}, {:.6}) together beyond double precision; move the center closer, or simplify the outline there.", .at.re, .at.im)]
+    #[error("The maps crowd the mesh near {} together beyond double precision; move the center closer, or simplify the outline there.", place(.at))]
     Crowded {
         /// A point near the place, in the copy that is crowded.
         at: Complex64,
@@ -213,5 +215,32 @@ impl Error {
     }
 }
 
+/// A point for reading, to seven digits of its larger coordinate.
+fn place(z: &Complex64) -> String {
+    let size = z.re.abs().max(z.im.abs());
+    if size == 0.0 || !size.is_finite() {
+        return format!("({}, {})", z.re, z.im);
+    }
+    let exponent = size.log10().floor() as i32;
+    if (-3..7).contains(&exponent) {
+        let digits = (6 - exponent) as usize;
+        return format!("({:.digits$}, {:.digits$})", z.re, z.im);
+    }
+    format!("({:.6e}, {:.6e})", z.re, z.im)
+}
+
 /// Results of this crate.
 pub type Result<T> = std::result::Result<T, Error>;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_can_be_told_apart_at_every_scale() {
+        let place = |re, im| place(&Complex64::new(re, im));
+        assert_eq!(place(10.0, -0.5), "(10.00000, -0.50000)");
+        assert_eq!(place(1e-9, 2.5e-9), "(1.000000e-9, 2.500000e-9)");
+        assert_eq!(place(0.0, 0.0), "(0, 0)");
+    }
+}

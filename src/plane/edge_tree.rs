@@ -38,6 +38,13 @@ impl Bounds {
         dx * dx + dy * dy
     }
 
+    fn meets(&self, other: &Self) -> bool {
+        self.low.re <= other.high.re
+            && other.low.re <= self.high.re
+            && self.low.im <= other.high.im
+            && other.low.im <= self.high.im
+    }
+
     /// Whether the ray from `z` to the right can meet it.
     fn meets_ray(&self, z: Complex64) -> bool {
         self.high.re >= z.re && self.low.im <= z.im && self.high.im >= z.im
@@ -99,6 +106,21 @@ impl EdgeTree {
             open.extend(children);
         }
         best
+    }
+
+    /// Calls `visit` for every edge whose run's box meets that of the segment ab.
+    pub fn for_each_near(&self, a: Complex64, b: Complex64, mut visit: impl FnMut(usize)) {
+        let bounds = Bounds::EMPTY.including(a).including(b);
+        let mut open = vec![0];
+        while let Some(node) = open.pop() {
+            if !self.boxes[node].meets(&bounds) {
+                continue;
+            }
+            match self.run(node) {
+                Some(run) => run.for_each(&mut visit),
+                None => open.extend([2 * node + 1, 2 * node + 2]),
+            }
+        }
     }
 
     /// Calls `visit` for every edge whose box meets the ray from `z` to the right.

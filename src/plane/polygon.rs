@@ -53,14 +53,15 @@ impl Polygon {
         if scaled.len() < 3 {
             return Err(Error::TooFewVertices { found: scaled.len() });
         }
-        if let Some((first, second, at)) = first_crossing(&scaled) {
+        let mut tree = EdgeTree::new(&scaled);
+        if let Some((first, second, at)) = first_crossing(&scaled, &tree) {
             return Err(Error::SelfIntersecting { first, second, at: at / unit });
         }
         if signed_area(&scaled) < 0.0 {
             scaled[1..].reverse();
             kept[1..].reverse();
+            tree = EdgeTree::new(&scaled);
         }
-        let tree = EdgeTree::new(&scaled);
         Ok(Self { vertices: kept, scaled, unit, tree })
     }
 
@@ -229,29 +230,19 @@ fn segments_meet(a: Complex64, b: Complex64, c: Complex64, d: Complex64) -> bool
         || lies_on(d, a, b)
 }
 
-/// Two edges that share more than the vertex between them, by a sweep over x.
-fn first_crossing(vertices: &[Complex64]) -> Option<(usize, usize, Complex64)> {
+/// The first two edges, in boundary order, that share more than the vertex between them, and a point of both.
+fn first_crossing(vertices: &[Complex64], tree: &EdgeTree) -> Option<(usize, usize, Complex64)> {
     let n = vertices.len();
     let ends = |k: usize| (vertices[k], vertices[(k + 1) % n]);
-    let span = |k: usize| {
-        let (a, b) = ends(k);
-        (a.re.min(b.re), a.re.max(b.re), a.im.min(b.im), a.im.max(b.im))
-    };
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|&i, &j| span(i).0.total_cmp(&span(j).0));
-    let mut active: Vec<usize> = Vec::new();
-    for &k in &order {
-        let (left, _, bottom, top) = span(k);
-        active.retain(|&j| span(j).1 >= left);
-        for &j in &active {
-            let (_, _, other_bottom, other_top) = span(j);
-            if other_bottom > top || other_top < bottom {
-                continue;
+    (0..n).find_map(|first| {
+        let (a, b) = ends(first);
+        let mut met = None;
+        tree.for_each_near(a, b, |second| {
+            if second <= first || met.is_some_and(|met| met < second) {
+                return;
             }
-            let (first, second) = (j.min(k), j.max(k));
-            let (a, b) = ends(first);
             let (c, d) = ends(second);
-            let meet = if (first + 1) % n == second {
+            let meet = if first + 1 == second {
                 folds_back(a, b, d)
             } else if (second + 1) % n == first {
                 folds_back(c, a, b)
@@ -259,12 +250,14 @@ fn first_crossing(vertices: &[Complex64]) -> Option<(usize, usize, Complex64)> {
                 segments_meet(a, b, c, d)
             };
             if meet {
-                return Some((first, second, meeting_point(a, b, c, d)));
+                met = Some(second);
             }
-        }
-        active.push(k);
-    }
-    None
+        });
+        met.map(|second| {
+            let (c, d) = ends(second);
+            (first, second, meeting_point(a, b, c, d))
+        })
+    })
 }
 
 /// Whether the edges ab and bc, which share b, overlap.
@@ -272,10 +265,17 @@ fn folds_back(a: Complex64, b: Complex64, c: Complex64) -> bool {
     orient2d(coord(a), coord(b), coord(c)) == 0.0 && ((a - b) * (c - b).conj()).re > 0.0
 }
 
+/// A point that the segments ab and cd, which meet, have in common: the middle of it, if that is a segment.
 fn meeting_point(a: Complex64, b: Complex64, c: Complex64, d: Complex64) -> Complex64 {
+    let on = |p: Complex64| [(a, b), (c, d)].iter().all(|&(from, to)| lies_on(p, from, to));
+    let common: Vec<Complex64> = [a, b, c, d].into_iter().filter(|&p| on(p)).collect();
+    if let Some(&one) = common.first() {
+        let far = common.iter().max_by(|p, q| (*p - one).norm_sqr().total_cmp(&(*q - one).norm_sqr()));
+        return far.map_or(one, |far| 0.5 * (one + far));
+    }
     let cross = |u: Complex64, v: Complex64| u.re * v.im - u.im * v.re;
     let t = cross(c - a, d - c) / cross(b - a, d - c);
-    if t.is_finite() { a + (b - a) * t.clamp(0.0, 1.0) } else { b }
+    a + (b - a) * t.clamp(0.0, 1.0)
 }
 
 #[cfg(test)]
@@ -331,5 +331,19 @@ mod tests {
         assert_eq!((on.edge, on.t, on.point), (0, 0.25, Complex64::new(0.25, 0.0)));
         let corner = square.nearest(Complex64::new(2.0, -1.0));
         assert_eq!((corner.edge, corner.t, corner.point), (1, 0.0, Complex64::new(1.0, 0.0)));
+    }
+
+    #[test]
+    fn the_place_of_a_crossing_is_on_both_edges() {
+        let overlap: [&[(f64, f64)]; 2] = [
+            &[(10.0, 0.0), (20.0, 0.0), (20.0, 10.0), (0.0, 10.0), (0.0, 0.0), (12.0, 0.0)],
+            &[(0.0, 0.0), (8.0, 0.0), (8.0, 5.0), (6.0, 5.0), (6.0, 0.0), (3.0, 0.0), (3.0, 5.0), (0.0, 5.0)],
+        ];
+        for (xy, range) in overlap.into_iter().zip([10.0..=12.0, 3.0..=6.0]) {
+            let Error::SelfIntersecting { at, .. } = Polygon::new(&points(xy)).unwrap_err() else { panic!("{xy:?}") };
+            assert!(range.contains(&at.re) && at.im == 0.0, "{at}");
+        }
+        let crossed = Polygon::new(&points(&[(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)])).unwrap_err();
+        assert_eq!(crossed, Error::SelfIntersecting { first: 0, second: 2, at: Complex64::new(0.5, 0.5) });
     }
 }
