@@ -7,6 +7,8 @@ mod outline_text;
 mod polygon;
 mod region;
 mod smooth_curve;
+mod svg_file;
+mod svg_path;
 
 pub use frame::Frame;
 pub use num_complex::Complex64;

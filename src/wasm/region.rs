@@ -56,8 +56,8 @@ impl Region {
         Ok(Self(plane::Region::new(&boundary, curve, center.into(), toward.into())?))
     }
 
-    /// Text → boundary points `[x0, y0, x1, y1, …]`: JSON, `[[x, y], …]`, or the data of an SVG path (the attribute `d`), which is
-    /// turned over, since its y counts downwards.
+    /// Text → boundary points `[x0, y0, x1, y1, …]`: JSON, `[[x, y], …]`, the data of an SVG path (the attribute `d`), or an SVG file that
+    /// draws one closed curve. SVG is turned over, since its y counts downwards; a file's transforms are applied.
     ///
     /// Throws "invalid-outline" or "invalid-option".
     #[wasm_bindgen(js_name = parseOutline)]

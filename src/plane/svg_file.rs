@@ -1,0 +1,214 @@
+//! An SVG file → the curves that it draws, in the user units of its outermost `svg`.
+
+use super::svg_path;
+use kurbo::{Affine, BezPath, Shape};
+use roxmltree::{Document, Node, ParsingOptions};
+use std::str::FromStr;
+use svgtypes::{Length, LengthUnit, Transform, ViewBox};
+
+/// How many elements a file may have, copies by `use` counted, and how deep these may be nested.
+const MOST_ELEMENTS: u32 = 200_000;
+const DEEPEST: usize = 100;
+
+/// A file's text → its curves, with all transforms applied; they leave what is drawn by `tolerance` at most.
+///
+/// Paths and basic shapes, copies by `use`, nested `svg`s. Not drawn, and so not read: `defs`, clip paths, masks, patterns
+/// and symbols, what is hidden, and what has neither fill nor stroke. Style sheets are not read, only `style` attributes.
+///
+/// # Errors
+/// What is wrong, in words, for text that is no SVG file.
+pub fn read(text: &str, tolerance: f64) -> Result<Vec<BezPath>, String> {
+    let options = ParsingOptions { allow_dtd: true, nodes_limit: 5 * MOST_ELEMENTS, ..ParsingOptions::default() };
+    let document =
+        Document::parse_with_options(text, options).map_err(|error| format!("the file is no XML: {error}"))?;
+    let root = document.root_element();
+    if root.tag_name().name() != "svg" {
+        return Err(format!("the file's first element is “{}”, and an SVG file's is “svg”", root.tag_name().name()));
+    }
+    let size = view_box(root).map_or([100.0, 100.0], |view| [view.w, view.h]);
+    let mut reader = Reader { document: &document, tolerance, paths: Vec::new(), elements: 0 };
+    let painted = Look { filled: true, stroked: false, to_root: Affine::IDENTITY, size, depth: 0 };
+    reader.children(root, painted.of(root))?;
+    Ok(reader.paths)
+}
+
+/// What an element inherits.
+#[derive(Clone, Copy)]
+struct Look {
+    filled: bool,
+    stroked: bool,
+    to_root: Affine,
+    /// Of the nearest viewport, which percentages mean.
+    size: [f64; 2],
+    depth: usize,
+}
+
+impl Look {
+    /// With the element's own fill and stroke.
+    fn of(self, node: Node<'_, '_>) -> Self {
+        let is_set = |name| property(node, name).map(|value| value != "none" && value != "transparent");
+        Self {
+            filled: is_set("fill").unwrap_or(self.filled),
+            stroked: is_set("stroke").unwrap_or(self.stroked),
+            depth: self.depth + 1,
+            ..self
+        }
+    }
+
+    fn then(self, inner: Affine) -> Self {
+        Self { to_root: self.to_root * inner, ..self }
+    }
+}
+
+struct Reader<'a, 'text> {
+    document: &'a Document<'text>,
+    tolerance: f64,
+    paths: Vec<BezPath>,
+    elements: u32,
+}
+
+impl<'a, 'text> Reader<'a, 'text> {
+    fn children(&mut self, node: Node<'a, 'text>, look: Look) -> Result<(), String> {
+        node.children().filter(Node::is_element).try_for_each(|child| self.element(child, look))
+    }
+
+    fn element(&mut self, node: Node<'a, 'text>, look: Look) -> Result<(), String> {
+        self.elements += 1;
+        if self.elements > MOST_ELEMENTS || look.depth > DEEPEST {
+            return Err(format!(
+                "the file has more than {MOST_ELEMENTS} elements, or more than {DEEPEST} inside each other"
+            ));
+        }
+        if property(node, "display") == Some("none") || property(node, "visibility") == Some("hidden") {
+            return Ok(());
+        }
+        let look = look.of(node).then(transform(node)?);
+        match node.tag_name().name() {
+            "g" | "a" | "switch" => self.children(node, look),
+            "svg" => {
+                let (viewport, size) = viewport(node, look.size)?;
+                self.children(node, Look { size, ..look.then(viewport) })
+            }
+            "use" => self.copy(node, look),
+            _ if look.filled || look.stroked => self.shape(node, look),
+            _ => Ok(()),
+        }
+    }
+
+    fn copy(&mut self, node: Node<'a, 'text>, look: Look) -> Result<(), String> {
+        let name = node.attributes().find(|a| a.name() == "href").and_then(|a| a.value().strip_prefix('#'));
+        let Some(name) = name else { return Ok(()) };
+        let found = self.document.descendants().find(|other| other.attribute("id") == Some(name));
+        let Some(found) = found else { return Err(format!("the file uses “#{name}”, which it does not have")) };
+        let [x, y] = [("x", 0), ("y", 1)].map(|(name, axis)| length(node, name, look.size[axis]));
+        let look = look.then(Affine::translate((x?.unwrap_or(0.0), y?.unwrap_or(0.0))));
+        if found.tag_name().name() == "symbol" {
+            self.children(found, look.of(found))
+        } else {
+            self.element(found, look)
+        }
+    }
+
+    fn shape(&mut self, node: Node<'a, 'text>, look: Look) -> Result<(), String> {
+        let [a, b, c, d, ..] = look.to_root.as_coeffs();
+        let stretch = a.hypot(b).max(c.hypot(d)).max(f64::MIN_POSITIVE);
+        if let Some(path) = outline(node, look.size, self.tolerance / stretch)? {
+            self.paths.push(look.to_root * path);
+        }
+        Ok(())
+    }
+}
+
+/// The curve of a path or basic shape, in its own coordinates; none for other elements.
+fn outline(node: Node<'_, '_>, size: [f64; 2], tolerance: f64) -> Result<Option<BezPath>, String> {
+    let diagonal = size[0].hypot(size[1]) / std::f64::consts::SQRT_2;
+    let x = |name| Ok::<_, String>(length(node, name, size[0])?.unwrap_or(0.0));
+    let y = |name| Ok::<_, String>(length(node, name, size[1])?.unwrap_or(0.0));
+    Ok(match node.tag_name().name() {
+        "path" => Some(svg_path::read(node.attribute("d").unwrap_or_default(), tolerance)?),
+        "polygon" | "polyline" => {
+            let points = node.attribute("points").unwrap_or_default().trim();
+            let close = if node.tag_name().name() == "polygon" { "z" } else { "" };
+            Some(if points.is_empty() {
+                BezPath::new()
+            } else {
+                svg_path::read(&format!("M{points}{close}"), tolerance)?
+            })
+        }
+        "line" => Some(kurbo::Line::new((x("x1")?, y("y1")?), (x("x2")?, y("y2")?)).to_path(tolerance)),
+        "circle" => {
+            let radius = length(node, "r", diagonal)?.unwrap_or(0.0);
+            Some(kurbo::Circle::new((x("cx")?, y("cy")?), radius).to_path(tolerance))
+        }
+        "ellipse" => Some(kurbo::Ellipse::new((x("cx")?, y("cy")?), (x("rx")?, y("ry")?), 0.0).to_path(tolerance)),
+        "rect" => {
+            let ([left, top], [width, height]) = ([x("x")?, y("y")?], [x("width")?, y("height")?]);
+            let (rx, ry) = (length(node, "rx", size[0])?, length(node, "ry", size[1])?);
+            let rx = rx.or(ry).unwrap_or(0.0).clamp(0.0, width / 2.0);
+            let ry = ry.or(Some(rx)).unwrap_or(0.0).clamp(0.0, height / 2.0);
+            let (h, v) = (width - 2.0 * rx, height - 2.0 * ry);
+            let arc = |x: f64, y: f64| format!("a{rx} {ry} 0 0 1 {x} {y}");
+            let corners = [arc(rx, ry), arc(-rx, ry), arc(-rx, -ry), arc(rx, -ry)];
+            let [right, bottom, left_low, left_high] = if rx > 0.0 && ry > 0.0 { corners } else { Default::default() };
+            let start = left + rx;
+            Some(svg_path::read(
+                &format!("M{start} {top}h{h}{right}v{v}{bottom}h-{h}{left_low}v-{v}{left_high}z"),
+                tolerance,
+            )?)
+        }
+        _ => None,
+    })
+}
+
+/// An attribute, or what `style` says in its stead.
+fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
+    let styled = node.attribute("style").and_then(|style| {
+        let pairs = style.split(';').filter_map(|pair| pair.split_once(':'));
+        pairs.map(|(key, value)| (key.trim(), value.trim())).find_map(|(key, value)| (key == name).then_some(value))
+    });
+    styled.or_else(|| node.attribute(name).map(str::trim))
+}
+
+/// A length in user units of 1/96 inch; `whole` is what 100 % are.
+fn length(node: Node<'_, '_>, name: &str, whole: f64) -> Result<Option<f64>, String> {
+    let Some(text) = node.attribute(name).map(str::trim).filter(|text| *text != "auto") else { return Ok(None) };
+    let Length { number, unit } = Length::from_str(text).map_err(|_| format!("{name}=\"{text}\" is no length"))?;
+    let factor = match unit {
+        LengthUnit::None | LengthUnit::Px => 1.0,
+        LengthUnit::Em => 16.0,
+        LengthUnit::Ex => 8.0,
+        LengthUnit::In => 96.0,
+        LengthUnit::Cm => 96.0 / 2.54,
+        LengthUnit::Mm => 96.0 / 25.4,
+        LengthUnit::Pt => 4.0 / 3.0,
+        LengthUnit::Pc => 16.0,
+        LengthUnit::Percent => whole / 100.0,
+    };
+    Ok(Some(number * factor))
+}
+
+fn transform(node: Node<'_, '_>) -> Result<Affine, String> {
+    let Some(text) = node.attribute("transform") else { return Ok(Affine::IDENTITY) };
+    let Transform { a, b, c, d, e, f } =
+        Transform::from_str(text).map_err(|error| format!("transform=\"{text}\": {error}"))?;
+    Ok(Affine::new([a, b, c, d, e, f]))
+}
+
+fn view_box(node: Node<'_, '_>) -> Option<ViewBox> {
+    ViewBox::from_str(node.attribute("viewBox")?).ok()
+}
+
+/// Coordinates inside a nested `svg` → those around it, and the size that percentages mean inside.
+fn viewport(node: Node<'_, '_>, around: [f64; 2]) -> Result<(Affine, [f64; 2]), String> {
+    let [x, y] = [("x", 0), ("y", 1)].map(|(name, axis)| length(node, name, around[axis]));
+    let corner = (x?.unwrap_or(0.0), y?.unwrap_or(0.0));
+    let [w, h] = [("width", 0), ("height", 1)].map(|(name, axis)| length(node, name, around[axis]));
+    let (width, height) = (w?.unwrap_or(around[0]), h?.unwrap_or(around[1]));
+    let Some(view) = view_box(node) else { return Ok((Affine::translate(corner), [width, height])) };
+    let (across, down) = (width / view.w, height / view.h);
+    let keeps = !node.attribute("preserveAspectRatio").is_some_and(|text| text.trim().starts_with("none"));
+    let (across, down) = if keeps { (across.min(down), across.min(down)) } else { (across, down) };
+    let margin = ((width - across * view.w) / 2.0, (height - down * view.h) / 2.0);
+    let fit = Affine::translate(corner) * Affine::translate(margin) * Affine::scale_non_uniform(across, down);
+    Ok((fit * Affine::translate((-view.x, -view.y)), [view.w, view.h]))
+}
