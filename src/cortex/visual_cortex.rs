@@ -3,8 +3,7 @@
 use super::model::twice_area;
 use super::{CorticalModel, Degrees, Gaze, Mirrored, RetinoCorticalMap};
 use crate::map::{Compose, Inverse, InvertibleMap, Jet, PlaneMap};
-use crate::plane::{Complex64, Frame};
-use crate::riemann::RiemannMap;
+use crate::plane::{Complex64, Frame, Region};
 use crate::{Error, Result};
 use std::fmt;
 use std::rc::Rc;
@@ -42,10 +41,13 @@ impl VisualCortex {
         Self::of_left(model, model.outline(MODEL_VERTICES), hemisphere)
     }
 
-    /// The cortex of an outline, which is that of a left hemisphere, by its conformal map.
+    /// The cortex of a region, which is the outline of a left hemisphere, by the conformal map of the half disk onto it.
     #[must_use]
-    pub fn from_outline(map: RetinoCorticalMap<RiemannMap>, hemisphere: Hemisphere) -> Self {
-        let outline = map.outline().region().polygon().vertices().to_vec();
+    pub fn from_outline<M>(map: RetinoCorticalMap<M>, region: &Region, hemisphere: Hemisphere) -> Self
+    where
+        RetinoCorticalMap<M>: InvertibleMap + 'static,
+    {
+        let outline = region.boundary().to_vec();
         Self::of_left(Compose { outer: map, inner: Degrees.inverted() }, outline, hemisphere)
     }
 

@@ -133,7 +133,7 @@ impl RetinoCorticalMap {
         let landmark = Landmark { field: field.coordinate(), cortex, direction };
         let chain = cortex::RetinoCorticalMap::new(map.inner().clone(), landmark)?;
         let landmark_error = Some(chain.landmark_error());
-        Ok(Self { cortex: VisualCortex::from_outline(chain, hemisphere), landmark_error })
+        Ok(Self { cortex: VisualCortex::from_outline(chain, map.inner().region(), hemisphere), landmark_error })
     }
 
     /// The outline of V1 under a closed formula, a polygon of so many vertices in millimetres: a model, not a measurement.

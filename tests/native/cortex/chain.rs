@@ -51,9 +51,6 @@ fn chain(vertices: usize, tolerance: f64) -> RetinoCorticalMap<RiemannMap> {
 fn symm_agrees_with_the_closed_form() {
     let counts = [100, 200, 400, 800, 1600];
     let found = counts.map(errors);
-    for (count, [millimetres, magnification]) in counts.iter().zip(found) {
-        println!("{count} vertices: {millimetres:.1e} mm, magnification {magnification:.1e}");
-    }
     let [millimetres, magnification] = found[2];
     assert!(millimetres < 1e-5 && magnification < 1e-4, "{found:?}");
     // At least as the square of the edge length, in fact as its cube: the edges lie as much inside the curve as outside.
@@ -80,7 +77,6 @@ fn areas_and_extents_are_those_of_the_dipole() {
         jets(&map, &points).iter().zip(&points).map(|(jet, s)| jet.dz.norm_sqr() * ring(s)).sum::<f64>()
     };
     let (whole, central) = (area(90.0), area(15.0));
-    println!("{whole:.0} mm², {:.1} % of it within 15°", 100.0 * central / whole);
     assert!((whole / 2253.0 - 1.0).abs() < 0.01 && (central / whole / 0.70 - 1.0).abs() < 0.01);
     assert!((whole / exact.area_within(90.0) - 1.0).abs() < 1e-3);
     // The fovea and the far end of the meridian lie on the outline: just inside.
@@ -105,7 +101,6 @@ fn the_steps_and_the_chain_invert() {
     let outline = step(jets(&map.outline().inverted(), &disk), &|z| jets(map.outline(), z), &disk);
     let directions: Vec<FieldPoint> = field().into_iter().map(FieldPoint::from_coordinate).collect();
     let sphere = largest(directions.iter().zip(field()).map(|(point, s)| (point.coordinate() - s).norm()));
-    println!("sphere {sphere:.0e}, half disk {half_disk:.0e}, outline {outline:.0e}, all of it {whole:.0e}");
     assert!([sphere, half_disk, outline, whole].iter().all(|&error| error < 1e-12));
 }
 

@@ -4,13 +4,12 @@
 //! `REGENERATE=1 cargo test --test native cortex::figure` draws tests/fixtures/figure-7.png anew. Look at it then.
 
 use crate::support::picture::fixture_photo;
-use crate::support::{fixture, solve};
+use crate::support::{golden, solve};
 use conformal_warp::warp::recovery;
 use conformal_warp::{
     Complex64, CorticalImage, CorticalModel, Curve, FieldPoint, FoveatedTexture, Frame, Gaze, Hemisphere, Light,
     Region, RetinoCorticalMap, Texture, VisualCortex, WarpOptions, Wrap,
 };
-use std::path::PathBuf;
 
 /// Pixels of a hemisphere, and of the recovered scene.
 const HEMISPHERE: [usize; 2] = [160, 96];
@@ -23,7 +22,8 @@ fn human(hemisphere: Hemisphere) -> VisualCortex {
     let landmark = dipole.landmark(FieldPoint::BLIND_SPOT.coordinate());
     let outline = dipole.outline(120);
     let region = Region::new(&outline, Curve::Polygon, landmark.cortex, outline[0]).unwrap();
-    VisualCortex::from_outline(RetinoCorticalMap::new(solve(&region, 1e-7), landmark).unwrap(), hemisphere)
+    let map = RetinoCorticalMap::new(solve(&region, 1e-7), landmark).unwrap();
+    VisualCortex::from_outline(map, &region, hemisphere)
 }
 
 /// Puts a picture of `width` columns into the figure, from column `left`.
@@ -55,40 +55,7 @@ fn draw() -> Vec<u8> {
     figure
 }
 
-fn golden() -> PathBuf {
-    fixture("figure-7.png")
-}
-
-fn save(pixels: &[u8]) {
-    let file = std::fs::File::create(golden()).unwrap();
-    let mut encoder = png::Encoder::new(file, WIDTH as u32, SCENE[1] as u32);
-    encoder.set_color(png::ColorType::Rgba);
-    encoder.write_header().unwrap().write_image_data(pixels).unwrap();
-}
-
-fn load() -> Vec<u8> {
-    let file = std::io::BufReader::new(std::fs::File::open(golden()).unwrap());
-    let mut reader = png::Decoder::new(file).read_info().unwrap();
-    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-    reader.next_frame(&mut pixels).unwrap();
-    pixels
-}
-
 #[test]
 fn figure_7_is_the_picture_that_was_looked_at() {
-    let found = draw();
-    if std::env::var_os("REGENERATE").is_some() {
-        save(&found);
-    }
-    let expected = load();
-    assert_eq!(found.len(), expected.len());
-    // What is seen: colours as far as alpha lets them through.
-    let seen = |pixels: &[u8], k: usize| {
-        let alpha = f64::from(pixels[k | 3]);
-        if k % 4 == 3 { alpha } else { f64::from(pixels[k]) * alpha / 255.0 }
-    };
-    let differences: Vec<f64> = (0..found.len()).map(|k| (seen(&found, k) - seen(&expected, k)).abs()).collect();
-    let mean = differences.iter().sum::<f64>() / differences.len() as f64;
-    let far = differences.iter().filter(|&&difference| difference > 16.0).count();
-    assert!(mean < 0.5 && far < found.len() / 500, "{mean:.2} levels on average, {far} bytes differ by more than 16");
+    golden::check("figure-7", WIDTH, &draw());
 }

@@ -53,7 +53,6 @@ fn functions_agree_with_mpmath() {
             _ => (1e-15, 2e-15),
         };
         let [(value_error, at), (slope_error, slope_at)] = worst(&map, &rows);
-        println!("{name:6} value {value_error:.1e} at {at:.2e}, derivative {slope_error:.1e} at {slope_at:.2e}");
         assert!(value_error <= value, "{name}({at}) is wrong by {value_error:e}");
         assert!(slope_error <= slope, "{name}'({slope_at}) is wrong by {slope_error:e}");
     }

@@ -1,6 +1,6 @@
 //! Region → disk: joint triangulations of the fixtures' regions.
 
-use crate::support::{case, solve};
+use crate::support::{case, largest, solve};
 use conformal_warp::{Complex64, Curve, Frame, JointTriangulation, MeshOptions, Region, RiemannMap, SolveOptions};
 
 fn solved(name: &str) -> RiemannMap {
@@ -42,7 +42,7 @@ fn long_regions_have_valid_meshes_onto_the_disk_and_each_other() {
         let mesh = JointTriangulation::region_to_region(&maps[from], &maps[to], &options).unwrap();
         mesh.validate().unwrap();
         if from == to {
-            let moved = mesh.source().iter().zip(mesh.target()).map(|(z, w)| (z - w).norm()).fold(0.0, f64::max);
+            let moved = largest(mesh.source().iter().zip(mesh.target()).map(|(z, w)| (z - w).norm()));
             assert!(moved < 1e-6, "a region's own far end moves by {moved}");
         }
     }
@@ -65,7 +65,7 @@ fn a_graded_mesh_keeps_its_bound() {
         points.push(blend(mesh.source()));
         affine.push(blend(mesh.target()));
     }
-    let worst = map.to_disk(&points).iter().zip(&affine).map(|(w, v)| (w - v).norm()).fold(0.0, f64::max);
+    let worst = largest(map.to_disk(&points).iter().zip(&affine).map(|(w, v)| (w - v).norm()));
     assert!(worst < 0.4 * frame.pixel_size(), "{} pixels", worst / frame.pixel_size());
 }
 

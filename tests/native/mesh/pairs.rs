@@ -4,7 +4,6 @@
 
 use crate::support::random::{self, Random};
 use conformal_warp::{JointTriangulation, MeshOptions, RiemannMap, SolveOptions};
-use std::time::Instant;
 
 /// Pairs of the short version: of all kinds, quick to solve. 14, 39, 57, 163 and 175 crowd corners together beyond double
 /// precision; 1081 had no room for its mended places;
@@ -22,7 +21,6 @@ fn pairs() -> Vec<u64> {
 fn random_pairs_are_triangulated() {
     let mut refused = 0;
     for seed in pairs() {
-        let begin = Instant::now();
         let mut random = Random::new(seed);
         let maps = [0, 1].map(|_| {
             let region = random::region(&mut random);
@@ -40,8 +38,6 @@ fn random_pairs_are_triangulated() {
         );
         match mesh {
             Ok((mesh, maps)) => {
-                let (nodes, found) = (mesh.source().len(), mesh.evidence());
-                println!("pair {seed}: {nodes} nodes, {} mended, in {:.1?}", found.mended, begin.elapsed());
                 mesh.validate().unwrap_or_else(|error| panic!("pair {seed}: {error}"));
                 assert_eq!(mesh.flipped(), 0, "pair {seed}");
                 for (copy, map) in [mesh.source(), mesh.target()].into_iter().zip(maps) {
@@ -49,13 +45,11 @@ fn random_pairs_are_triangulated() {
                 }
             }
             Err(error) => {
-                println!("pair {seed} is refused: {} ({error})", error.code());
                 assert!(["crowded", "negative-mass"].contains(&error.code()), "pair {seed}: {error}");
                 refused += 1;
             }
         }
     }
-    println!("{refused} refused");
     // About one pair in five hundred has a region that cannot be solved.
     assert!(250 * refused <= pairs().len(), "{refused} of {} are refused", pairs().len());
 }

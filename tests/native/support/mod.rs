@@ -1,6 +1,7 @@
 //! What integration tests share: fixtures, exact maps, small helpers.
 
 pub mod exact;
+pub mod golden;
 pub mod kerzman_stein;
 pub mod picture;
 pub mod random;
@@ -71,8 +72,10 @@ pub fn angle_error(a: f64, b: f64) -> f64 {
     d.min(TAU - d)
 }
 
+/// The largest of them; not a number if one of them is not. Of nothing there is none.
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
+    let larger = |a: f64, b: f64| if a.is_nan() || b <= a { a } else { b };
+    values.into_iter().reduce(larger).expect("something to compare")
 }
 
 /// `count` points spread evenly over the region.

@@ -1,5 +1,6 @@
 //! Maps pulled back and pushed forward: cuts, poles, sheets, edges of the domain, bands.
 
+use crate::support::golden;
 use crate::support::picture::{Picture, Truth, psnr};
 use conformal_warp::{Complex64, Direction, Frame, Jet, Light, PlaneMap, Quality, Texture, Warp, WarpOptions, Wrap};
 use std::f64::consts::PI;
@@ -192,12 +193,15 @@ fn check_push(
         assert_same_alpha(&pixels, &exact, side, what);
         for channel in 0..3 {
             let ratio = psnr(&pixels, &exact, channel, |k| exact[k][3] > 254.9);
-            assert!(ratio > least, "{what}, {quality:?}, channel {channel}: {ratio:.1} dB");
+            assert!(
+                ratio > least,
+                "{what}, {quality:?}, channel {channel}: {ratio:.1} dB; {}",
+                golden::keep_exact(what, view.pixels()[0], &pixels, &exact)
+            );
         }
         // Partly covered pixels too.
         let covered: f64 = pixels.iter().skip(3).step_by(4).map(|&alpha| f64::from(alpha) / 255.0).sum();
         let area: f64 = exact.iter().map(|pixel| pixel[3] / 255.0).sum();
-        println!("{what}, {quality:?}: {covered:.1} pixels covered, {area:.1} exact");
         assert!(
             (covered - area).abs() < 0.0005 * area + 8.0,
             "{what}, {quality:?}: {covered} pixels covered, not {area}"

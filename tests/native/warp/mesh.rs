@@ -1,5 +1,6 @@
 //! A checkerboard through triangle meshes of maps known in closed form, against supersampled truth.
 
+use crate::support::golden;
 use crate::support::picture::{Picture, Truth, psnr};
 use conformal_warp::{Complex64, Direction, Frame, Light, Quality, Texture, TriangleMesh, Warp, WarpOptions, Wrap};
 use std::f64::consts::TAU;
@@ -70,8 +71,11 @@ fn check_checkerboard(light: Light, bounds: &[(Quality, f64)]) {
             let pixels = mesh.warp(&texture, &options(quality, direction)).unwrap();
             let inside = inside_disk(&setting.view, 2.0);
             let ratio = psnr(&pixels, &exact, 0, &inside);
-            println!("{light:?} {direction:?} {quality:?}: {ratio:.2} dB");
-            assert!(ratio > bound && ratio > last, "{light:?} {quality:?}: {ratio} dB, after {last}");
+            assert!(
+                ratio > bound && ratio > last,
+                "{light:?} {quality:?}: {ratio} dB, after {last}; {}",
+                golden::keep_exact("moebius", setting.view.pixels()[0], &pixels, &exact)
+            );
             last = ratio;
             let holes = (0..exact.len()).filter(|&k| inside(k) && pixels[4 * k + 3] != 255).count();
             assert_eq!(holes, 0, "{quality:?} leaves holes");

@@ -124,7 +124,6 @@ fn check(picture: &Picture, index: usize, names: [&str; 3]) {
             let options = WarpOptions { quality, ..WarpOptions::new(texture_frame, view) };
             let pixels = map.warp(&texture, &options).unwrap();
             let found = ratios(&pixels, &exact, light, &select);
-            println!("{:12} {light:?} {quality:?}: {}", map.0, format(found, names));
             let promised = PROMISED.iter().find(|(q, _)| *q == quality).and_then(|(_, rows)| rows.get(index));
             for channel in 0..3 {
                 assert!(
@@ -146,10 +145,6 @@ fn check(picture: &Picture, index: usize, names: [&str; 3]) {
             last = found;
         }
     }
-}
-
-fn format(found: [f64; 3], names: [&str; 3]) -> String {
-    names.iter().zip(found).map(|(name, ratio)| format!("{name} {ratio:5.2} dB  ")).collect()
 }
 
 fn check_both_pictures(index: usize) {
