@@ -3,17 +3,16 @@
 use super::correspondence::{Correspondence, OntoDisk};
 use super::density::first_spacing;
 use super::draft::Draft;
+use super::joint::{JointTriangulation, Shape};
 use super::locate::Located;
 use super::options::{Density, MeshOptions, Route};
-use super::{JointTriangulation, net, scan};
+use super::side::Outline;
+use super::{net, quality, scan};
 use crate::Result;
 use crate::plane::{Complex64, Polygon};
 use crate::riemann::{RegionMap, RiemannMap};
 use std::collections::HashMap;
 use std::f64::consts::PI;
-
-/// Samples keep this share of the spacing away from the boundary, where its own nodes are.
-pub(super) const CLEARANCE: f64 = 0.4;
 
 /// A point of the net keeps this share of its distance from the boundary away from samples.
 const APART: f64 = 0.6;
@@ -98,12 +97,33 @@ impl<'a> Draft<'a> {
         let mut draft = Self::new(map, spacing)?;
         let [source, _] = map.copies();
         if let Some(polygon) = source.polygon() {
-            let samples = scan::fill(polygon, source.center(), spacing, CLEARANCE * spacing)?;
+            let samples = scan::fill(polygon, source.center(), spacing, scan::CLEARANCE * spacing)?;
             draft.add_grid(&samples);
             let angles: Vec<_> = draft.ring.iter().map(|(_, node)| source.angle(node.source)).collect();
             draft.add_net(&net::over(&angles, draft.trust()), spacing);
         }
         Ok(draft)
+    }
+
+    /// The joint triangulation, with what its making found out.
+    fn finish(mut self) -> Result<JointTriangulation> {
+        self.evidence.largest_error = self.largest_error();
+        let exact = self.map.magnification(&self.source, &self.target);
+        let shape = |outline: &Outline| match outline.straight() {
+            Some(polygon) => Shape::Polygon(polygon.clone()),
+            None if outline.is_polygon() => Shape::Curve,
+            None => Shape::Disk,
+        };
+        let mesh = JointTriangulation {
+            shapes: [shape(&self.outlines[0]), shape(&self.outlines[1])],
+            outline: self.ring.iter().map(|(id, _)| *id).collect(),
+            magnification: quality::magnification(&self.source, &self.target, &self.triangles),
+            source: self.source,
+            target: self.target,
+            triangles: self.triangles,
+            evidence: self.evidence,
+        };
+        mesh.with_magnification(&exact)
     }
 
     /// Puts the inner nodes where another map says, and connects them.

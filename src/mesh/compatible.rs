@@ -11,8 +11,8 @@ use std::collections::HashSet;
 use std::f64::consts::TAU;
 
 /// A polygon, and which of its corners lie on the straight line between their neighbours.
-pub(super) struct Ring<'a> {
-    pub(super) corners: &'a [Complex64],
+pub(super) struct Corners<'a> {
+    pub(super) places: &'a [Complex64],
     pub(super) straight: &'a [bool],
 }
 
@@ -34,8 +34,8 @@ struct Crossing {
 const PUSHES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
 
 /// `None` if a polygon is not simple and anticlockwise.
-pub(super) fn compatible(source: &Ring, target: &Ring) -> Option<Compatible> {
-    let n = source.corners.len();
+pub(super) fn compatible(source: &Corners, target: &Corners) -> Option<Compatible> {
+    let n = source.places.len();
     let chords = [chords_of(source)?, chords_of(target)?];
     let corners: Vec<_> = (0..n).map(|k| Complex64::cis(TAU * k as f64 / n as f64)).collect();
     let crossings = crossings(&corners, &chords);
@@ -58,8 +58,8 @@ pub(super) fn compatible(source: &Ring, target: &Ring) -> Option<Compatible> {
     edges.sort_unstable();
     let triangles = triangulate(&points, edges).ok()?;
     Some(Compatible {
-        source: crossings.iter().map(|c| along(source.corners, chords[0][c.source.0], c.source.1)).collect(),
-        target: crossings.iter().map(|c| along(target.corners, chords[1][c.target.0], c.target.1)).collect(),
+        source: crossings.iter().map(|c| along(source.places, chords[0][c.source.0], c.source.1)).collect(),
+        target: crossings.iter().map(|c| along(target.places, chords[1][c.target.0], c.target.1)).collect(),
         triangles,
     })
 }
@@ -73,8 +73,8 @@ fn along(corners: &[Complex64], [a, b]: [usize; 2], share: f64) -> Complex64 {
 }
 
 /// The chords of a triangulation of the polygon in which no triangle has three corners on a straight line.
-fn chords_of(ring: &Ring) -> Option<Vec<[usize; 2]>> {
-    let n = ring.corners.len();
+fn chords_of(ring: &Corners) -> Option<Vec<[usize; 2]>> {
+    let n = ring.places.len();
     let indices: Vec<u32> = (0..n as u32).collect();
     PUSHES.iter().find_map(|&push| {
         let corners = pushed(ring, push);
@@ -92,15 +92,15 @@ fn chords_of(ring: &Ring) -> Option<Vec<[usize; 2]>> {
 
 /// The polygon with its straight runs bent inwards: the direction turns a little at each of their corners, however close
 /// together they are.
-fn pushed(ring: &Ring, push: f64) -> Vec<Complex64> {
-    let n = ring.corners.len();
-    let mut corners = ring.corners.to_vec();
+fn pushed(ring: &Corners, push: f64) -> Vec<Complex64> {
+    let n = ring.places.len();
+    let mut corners = ring.places.to_vec();
     for start in (0..n).filter(|&k| !ring.straight[k] && ring.straight[(k + 1) % n]) {
         let mut run = vec![start];
         while run.len() <= n && (run.len() == 1 || ring.straight[run[run.len() - 1]]) {
             run.push((run[run.len() - 1] + 1) % n);
         }
-        let place = |k: usize| ring.corners[run[k]];
+        let place = |k: usize| ring.places[run[k]];
         let pieces = run.len() - 1;
         let lengths: Vec<_> = (0..pieces).map(|k| (place(k + 1) - place(k)).norm()).collect();
         let slope = |k: usize| push * (1.0 - (2 * k + 1) as f64 / pieces as f64);
@@ -135,7 +135,7 @@ fn crossings(corners: &[Complex64], [source, target]: &[Vec<[usize; 2]>; 2]) -> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::validate::orientation;
+    use super::super::triangles::orientation;
     use super::*;
 
     fn check(source: &[(f64, f64)], target: &[(f64, f64)], straight: [&[usize]; 2]) -> usize {
@@ -143,7 +143,7 @@ mod tests {
         let flags = |list: &[usize]| (0..source.len()).map(|k| list.contains(&k)).collect::<Vec<_>>();
         let (mut source, mut target) = (points(source), points(target));
         let flags = straight.map(flags);
-        let ring = |corners, straight| Ring { corners, straight };
+        let ring = |places, straight| Corners { places, straight };
         let found = compatible(&ring(&source, &flags[0]), &ring(&target, &flags[1])).unwrap();
         source.extend(found.source);
         target.extend(found.target);
@@ -178,7 +178,7 @@ mod tests {
         crossed.swap(2, 6);
         let corners = crossed.map(|(x, y)| Complex64::new(x, y));
         let straight = [false; 8];
-        let ring = || Ring { corners: &corners, straight: &straight };
+        let ring = || Corners { places: &corners, straight: &straight };
         assert!(compatible(&ring(), &ring()).is_none());
     }
 }

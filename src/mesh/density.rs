@@ -12,7 +12,7 @@ const MOST_ROUNDS: usize = 40;
 const MOST_NODES: usize = 400_000;
 /// Cosine of the largest angle that an inner node may see a boundary edge under.
 const WIDEST: f64 = -0.5;
-/// Pieces shorter than this share of the source's outline show one colour, whatever their place in the target.
+/// Probes shorter than this share of the source's outline show one colour, whatever their place in the target.
 const ONE_COLOUR: f64 = 1e-10;
 /// The first, coarse grid has about this many samples across a region.
 const COARSE: f64 = 10.0;
@@ -24,7 +24,7 @@ pub(super) fn first_spacing(area: f64) -> f64 {
 
 /// A place where the map is compared with the affine pieces.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum Piece {
+enum Probe {
     /// The middle of an inner edge, its nodes in rising order.
     Edge(u32, u32),
     /// The middle of a boundary edge, by its place in the ring.
@@ -33,22 +33,23 @@ enum Piece {
     Triangle([u32; 3]),
 }
 
-/// The map at the middles of pieces, kept from round to round: most pieces stay as they are.
+/// The map at the middles of probes, kept from round to round: most probes stay as they are.
 #[derive(Default)]
-pub(super) struct Middles {
-    inner: HashMap<Piece, Complex64>,
-    boundary: HashMap<Piece, Option<RingNode>>,
+struct Middles {
+    inner: HashMap<Probe, Complex64>,
+    boundary: HashMap<Probe, Option<RingNode>>,
 }
 
 impl Draft<'_> {
     /// Adds nodes until the map is within `bound` (plane units of the target) of its affine pieces, at the middles of
     /// edges and triangles.
     pub(super) fn refine_to(&mut self, bound: f64) -> Result<()> {
+        let mut middles = Middles::default();
         for _ in 0..MOST_ROUNDS {
             self.connect()?;
-            let pieces = self.pieces();
-            self.evaluate(&pieces);
-            if self.add_where(&pieces, bound) == 0 || self.source.len() > MOST_NODES {
+            let probes = self.probes();
+            self.evaluate(&mut middles, &probes);
+            if self.add_where(&middles, &probes, bound) == 0 || self.source.len() > MOST_NODES {
                 break;
             }
         }
@@ -58,69 +59,67 @@ impl Draft<'_> {
     /// The largest distance, in plane units of the target, between the map and its affine pieces.
     pub(super) fn largest_error(&self) -> f64 {
         let (boundary, inner): (Vec<_>, Vec<_>) =
-            self.pieces().into_iter().partition(|piece| matches!(piece, Piece::Boundary(..)));
-        let points: Vec<_> = inner.iter().map(|&piece| mean(&self.source, piece)).collect();
-        let inner = inner.iter().zip(self.map.forward(&points)).map(|(&piece, w)| self.error_at(piece, w));
-        let boundary = boundary.iter().map(|&piece| self.boundary_error(piece, self.boundary_middle(piece)));
+            self.probes().into_iter().partition(|probe| matches!(probe, Probe::Boundary(..)));
+        let points: Vec<_> = inner.iter().map(|&probe| mean(&self.source, probe)).collect();
+        let inner = inner.iter().zip(self.map.forward(&points)).map(|(&probe, w)| self.error_at(probe, w));
+        let boundary = boundary.iter().map(|&probe| self.boundary_error(probe, self.boundary_middle(probe)));
         inner.chain(boundary).fold(0.0, f64::max)
     }
 
-    fn pieces(&self) -> Vec<Piece> {
-        let mut pieces = Vec::with_capacity(3 * self.triangles.len());
+    fn probes(&self) -> Vec<Probe> {
+        let mut probes = Vec::with_capacity(3 * self.triangles.len());
         let next_on_ring = self.next_on_ring();
         for &t in &self.triangles {
             for (p, q) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
                 if next_on_ring[p as usize] == q {
-                    pieces.push(Piece::Boundary(p, q));
+                    probes.push(Probe::Boundary(p, q));
                 } else if p < q {
-                    pieces.push(Piece::Edge(p, q));
+                    probes.push(Probe::Edge(p, q));
                 }
             }
-            pieces.push(Piece::Triangle(t));
+            probes.push(Probe::Triangle(t));
         }
-        pieces
+        probes
     }
 
     /// Computes the middles that are not known yet.
-    fn evaluate(&mut self, pieces: &[Piece]) {
-        let mut middles = std::mem::take(&mut self.middles);
+    fn evaluate(&self, middles: &mut Middles, probes: &[Probe]) {
         let mut new = Vec::new();
-        for &piece in pieces {
-            match piece {
-                Piece::Boundary(..) => {
-                    middles.boundary.entry(piece).or_insert_with(|| self.boundary_middle(piece));
+        for &probe in probes {
+            match probe {
+                Probe::Boundary(..) => {
+                    middles.boundary.entry(probe).or_insert_with(|| self.boundary_middle(probe));
                 }
-                _ if middles.inner.contains_key(&piece) => {}
-                _ => new.push(piece),
+                _ if middles.inner.contains_key(&probe) => {}
+                _ => new.push(probe),
             }
         }
-        let points: Vec<_> = new.iter().map(|&piece| mean(&self.source, piece)).collect();
+        let points: Vec<_> = new.iter().map(|&probe| mean(&self.source, probe)).collect();
         middles.inner.extend(new.into_iter().zip(self.map.forward(&points)));
-        self.middles = middles;
     }
 
     /// How far the map is from the affine piece at its middle; 0 where the map has no value, or one colour, there.
-    fn error(&self, piece: Piece) -> f64 {
-        match piece {
-            Piece::Boundary(..) => self.boundary_error(piece, self.middles.boundary[&piece]),
-            _ => self.error_at(piece, self.middles.inner[&piece]),
+    fn error(&self, middles: &Middles, probe: Probe) -> f64 {
+        match probe {
+            Probe::Boundary(..) => self.boundary_error(probe, middles.boundary[&probe]),
+            _ => self.error_at(probe, middles.inner[&probe]),
         }
     }
 
     /// The same for an edge or triangle inside whose middle the map takes to `image`.
-    fn error_at(&self, piece: Piece, image: Complex64) -> f64 {
-        let distance = (image - mean(&self.target, piece)).norm();
-        if distance.is_finite() && !self.has_one_colour(piece) { distance } else { 0.0 }
+    fn error_at(&self, probe: Probe, image: Complex64) -> f64 {
+        let distance = (image - mean(&self.target, probe)).norm();
+        if distance.is_finite() && !self.has_one_colour(probe) { distance } else { 0.0 }
     }
 
-    fn boundary_middle(&self, piece: Piece) -> Option<RingNode> {
-        let Piece::Boundary(p, q) = piece else { return None };
+    fn boundary_middle(&self, probe: Probe) -> Option<RingNode> {
+        let Probe::Boundary(p, q) = probe else { return None };
         self.between(self.places[p as usize]?, self.places[q as usize]?)
     }
 
-    fn boundary_error(&self, piece: Piece, middle: Option<RingNode>) -> f64 {
-        let (Piece::Boundary(p, q), Some(middle)) = (piece, middle) else { return 0.0 };
-        if self.has_one_colour(piece) {
+    fn boundary_error(&self, probe: Probe, middle: Option<RingNode>) -> f64 {
+        let (Probe::Boundary(p, q), Some(middle)) = (probe, middle) else { return 0.0 };
+        if self.has_one_colour(probe) {
             return 0.0;
         }
         let at = |points: &[Complex64], k: u32| points[k as usize];
@@ -130,34 +129,34 @@ impl Draft<'_> {
         (middle.target.point - affine).norm()
     }
 
-    fn has_one_colour(&self, piece: Piece) -> bool {
+    fn has_one_colour(&self, probe: Probe) -> bool {
         let at = |k: u32| self.source[k as usize];
         let length = ONE_COLOUR * self.outlines[0].length();
-        match piece {
-            Piece::Edge(p, q) | Piece::Boundary(p, q) => (at(p) - at(q)).norm() < length,
-            Piece::Triangle([a, b, c]) => {
+        match probe {
+            Probe::Edge(p, q) | Probe::Boundary(p, q) => (at(p) - at(q)).norm() < length,
+            Probe::Triangle([a, b, c]) => {
                 [(a, b), (b, c), (c, a)].iter().all(|&(p, q)| (at(p) - at(q)).norm() < length)
             }
         }
     }
 
     /// Adds the middles of edges that are off by more than `bound`, and of triangles whose edges are all good.
-    fn add_where(&mut self, pieces: &[Piece], bound: f64) -> usize {
-        let off: HashMap<Piece, ()> =
-            pieces.iter().filter(|&&piece| self.error(piece) > bound).map(|&piece| (piece, ())).collect();
+    fn add_where(&mut self, middles: &Middles, probes: &[Probe], bound: f64) -> usize {
+        let off: HashMap<Probe, ()> =
+            probes.iter().filter(|&&probe| self.error(middles, probe) > bound).map(|&probe| (probe, ())).collect();
         let edge_off = |p: u32, q: u32| {
-            off.contains_key(&Piece::Edge(p.min(q), p.max(q))) || off.contains_key(&Piece::Boundary(p, q))
+            off.contains_key(&Probe::Edge(p.min(q), p.max(q))) || off.contains_key(&Probe::Boundary(p, q))
         };
         let mut starts = Vec::new();
         let mut split = Vec::new();
-        for &piece in off.keys() {
-            match piece {
-                Piece::Boundary(p, _) => starts.push(p),
-                Piece::Triangle([a, b, c]) if edge_off(a, b) || edge_off(b, c) || edge_off(c, a) => {}
-                _ => split.push(piece),
+        for &probe in off.keys() {
+            match probe {
+                Probe::Boundary(p, _) => starts.push(p),
+                Probe::Triangle([a, b, c]) if edge_off(a, b) || edge_off(b, c) || edge_off(c, a) => {}
+                _ => split.push(probe),
             }
         }
-        let mut nodes = self.middles_where_longer(&split);
+        let mut nodes = self.middles_where_longer(middles, &split);
         nodes.retain(|&(z, w)| match self.crowded_edge(z, w) {
             Some(start) => {
                 starts.push(start);
@@ -186,36 +185,36 @@ impl Draft<'_> {
         })
     }
 
-    /// The middle of each piece in the copy where it is longer, and its place in the other one. Towards a corner that the
+    /// The middle of each probe in the copy where it is longer, and its place in the other one. Towards a corner that the
     /// map opens or closes, that halves the error; the middle in the shorter copy hardly changes it.
-    fn middles_where_longer(&self, pieces: &[Piece]) -> Vec<(Complex64, Complex64)> {
+    fn middles_where_longer(&self, middles: &Middles, probes: &[Probe]) -> Vec<(Complex64, Complex64)> {
         let [from, to] = self.sizes();
-        let longer_in_target = |piece: &Piece| extent(&self.target, *piece) / to > extent(&self.source, *piece) / from;
-        let (there, here): (Vec<_>, Vec<_>) = pieces.iter().copied().partition(longer_in_target);
-        let places: Vec<_> = there.iter().map(|&piece| mean(&self.target, piece)).collect();
-        let pair_of_source = |piece: Piece| (mean(&self.source, piece), self.middles.inner[&piece]);
-        let of_target = there.iter().zip(self.map.backward(&places)).zip(places).map(|((&piece, z), w)| {
+        let longer_in_target = |probe: &Probe| extent(&self.target, *probe) / to > extent(&self.source, *probe) / from;
+        let (there, here): (Vec<_>, Vec<_>) = probes.iter().copied().partition(longer_in_target);
+        let places: Vec<_> = there.iter().map(|&probe| mean(&self.target, probe)).collect();
+        let pair_of_source = |probe: Probe| (mean(&self.source, probe), middles.inner[&probe]);
+        let of_target = there.iter().zip(self.map.backward(&places)).zip(places).map(|((&probe, z), w)| {
             // Beside a re-entrant corner the middle may lie outside the region.
-            if z.is_finite() { (z, w) } else { pair_of_source(piece) }
+            if z.is_finite() { (z, w) } else { pair_of_source(probe) }
         });
         of_target.chain(here.into_iter().map(pair_of_source)).collect()
     }
 }
 
-/// Length of a piece's longest edge in one copy.
-fn extent(points: &[Complex64], piece: Piece) -> f64 {
+/// Length of a probe's longest edge in one copy.
+fn extent(points: &[Complex64], probe: Probe) -> f64 {
     let length = |p: u32, q: u32| (points[p as usize] - points[q as usize]).norm();
-    match piece {
-        Piece::Edge(p, q) | Piece::Boundary(p, q) => length(p, q),
-        Piece::Triangle([a, b, c]) => length(a, b).max(length(b, c)).max(length(c, a)),
+    match probe {
+        Probe::Edge(p, q) | Probe::Boundary(p, q) => length(p, q),
+        Probe::Triangle([a, b, c]) => length(a, b).max(length(b, c)).max(length(c, a)),
     }
 }
 
-/// The middle of a piece in one copy.
-fn mean(points: &[Complex64], piece: Piece) -> Complex64 {
+/// The middle of a probe in one copy.
+fn mean(points: &[Complex64], probe: Probe) -> Complex64 {
     let at = |k: u32| points[k as usize];
-    match piece {
-        Piece::Edge(p, q) | Piece::Boundary(p, q) => 0.5 * (at(p) + at(q)),
-        Piece::Triangle([a, b, c]) => (at(a) + at(b) + at(c)) / 3.0,
+    match probe {
+        Probe::Edge(p, q) | Probe::Boundary(p, q) => 0.5 * (at(p) + at(q)),
+        Probe::Triangle([a, b, c]) => (at(a) + at(b) + at(c)) / 3.0,
     }
 }

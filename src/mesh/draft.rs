@@ -1,12 +1,10 @@
 //! A joint triangulation in the making: nodes are added in pairs, then connected anew.
 
-use super::connect::connect;
 use super::correspondence::Correspondence;
-use super::density::Middles;
-use super::joint::{Evidence, JointTriangulation, Shape};
-use super::quality;
+use super::joint::Evidence;
 use super::ring::{Ring, RingNode};
 use super::side::Outline;
+use super::triangles::orientation;
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64};
 use std::collections::HashSet;
@@ -26,7 +24,6 @@ pub(super) struct Draft<'a> {
     pub(super) places: Vec<Option<RingNode>>,
     pub(super) triangles: Vec<[u32; 3]>,
     pub(super) evidence: Evidence,
-    pub(super) middles: Middles,
     /// Where inner nodes of the source are, as bits: two middles may fall together.
     taken: HashSet<[u64; 2]>,
 }
@@ -45,7 +42,6 @@ impl<'a> Draft<'a> {
             ring: ring.nodes.into_iter().enumerate().map(|(k, node)| (k as u32, node)).collect(),
             triangles: Vec::new(),
             evidence,
-            middles: Middles::default(),
             taken: HashSet::new(),
         })
     }
@@ -141,15 +137,6 @@ impl<'a> Draft<'a> {
         ends.iter().all(|(p, q, m)| m.point != p.point && m.point != q.point).then_some(node)
     }
 
-    /// Connects the nodes anew: a constrained Delaunay triangulation of the source, without triangles that only rounding
-    /// made.
-    pub(super) fn connect(&mut self) -> Result<()> {
-        let ring: Vec<u32> = self.ring.iter().map(|(id, _)| *id).collect();
-        self.triangles = connect(&self.source, &ring)?;
-        self.flip_flat();
-        Ok(())
-    }
-
     /// What the maps can tell apart, in units of the disk.
     pub(super) fn trust(&self) -> f64 {
         let [source, target] = self.map.copies();
@@ -161,23 +148,31 @@ impl<'a> Draft<'a> {
         [self.outlines[0].length(), self.outlines[1].length()]
     }
 
-    pub(super) fn finish(mut self) -> Result<JointTriangulation> {
-        self.evidence.largest_error = self.largest_error();
-        let exact = self.map.magnification(&self.source, &self.target);
-        let shape = |outline: &Outline| match outline.straight() {
-            Some(polygon) => Shape::Polygon(polygon.clone()),
-            None if outline.is_polygon() => Shape::Curve,
-            None => Shape::Disk,
+    /// Not anticlockwise in both copies, or its corners on one edge of an outline.
+    pub(super) fn is_bad(&self, t: [u32; 3]) -> bool {
+        orientation(&self.target, t) <= 0.0 || orientation(&self.source, t) <= 0.0 || self.is_flat(t)
+    }
+
+    /// Whether the corners lie on one edge of an outline: then only rounding gives the triangle an area.
+    pub(super) fn is_flat(&self, t: [u32; 3]) -> bool {
+        (0..2).any(|copy| self.is_straight(copy, t))
+    }
+
+    /// Whether three nodes lie on one straight edge of a copy's outline.
+    pub(super) fn is_straight(&self, copy: usize, nodes: [u32; 3]) -> bool {
+        let place = |k: u32| self.places.get(k as usize).copied().flatten();
+        let [Some(a), Some(b), Some(c)] = nodes.map(place) else { return false };
+        self.on_one_edge(copy, [a, b, c])
+    }
+
+    fn on_one_edge(&self, copy: usize, nodes: [RingNode; 3]) -> bool {
+        let Some(polygon) = self.outlines[copy].straight() else { return false };
+        let edges = |node: RingNode| {
+            let place = if copy == 0 { node.source } else { node.target };
+            let before = (place.edge + polygon.len() - 1) % polygon.len();
+            [place.edge, if place.t == 0.0 { before } else { place.edge }]
         };
-        let mesh = JointTriangulation {
-            shapes: [shape(&self.outlines[0]), shape(&self.outlines[1])],
-            outline: self.ring.iter().map(|(id, _)| *id).collect(),
-            magnification: quality::magnification(&self.source, &self.target, &self.triangles),
-            source: self.source,
-            target: self.target,
-            triangles: self.triangles,
-            evidence: self.evidence,
-        };
-        mesh.with_magnification(&exact)
+        let [a, b, c] = nodes.map(edges);
+        a.iter().any(|edge| b.contains(edge) && c.contains(edge))
     }
 }

@@ -1,13 +1,24 @@
-//! Edge flips: triangles that are flat or turned over, where the other diagonal of two neighbours is not.
+//! Connecting the nodes, and edge flips: triangles that are flat or turned over, where the other diagonal of two neighbours is not.
 
+use super::connect::connect;
 use super::draft::Draft;
-use super::validate::orientation;
+use super::triangles::{edges, orientation};
+use crate::Result;
 use std::collections::{HashMap, HashSet};
 
 impl Draft<'_> {
+    /// Connects the nodes anew: a constrained Delaunay triangulation of the source, without triangles that only rounding
+    /// made.
+    pub(super) fn connect(&mut self) -> Result<()> {
+        let ring: Vec<u32> = self.ring.iter().map(|(id, _)| *id).collect();
+        self.triangles = connect(&self.source, &ring)?;
+        self.flip_flat();
+        Ok(())
+    }
+
     /// Flips edges until no triangle has its corners on one straight edge of the source: rounding alone gives those an
     /// area.
-    pub(super) fn flip_flat(&mut self) {
+    fn flip_flat(&mut self) {
         self.flip_while(
             |draft, t| draft.is_straight(0, t),
             |draft, t| !draft.is_straight(0, t) && orientation(&draft.source, t) > 0.0,
@@ -64,10 +75,6 @@ impl Draft<'_> {
             }
         }
     }
-}
-
-fn edges([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
-    [(a, b), (b, c), (c, a)]
 }
 
 /// The third corner of a triangle with the edge from a to b.

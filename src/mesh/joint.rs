@@ -1,6 +1,6 @@
 //! The joint triangulation: two point sets, one connectivity.
 
-use super::{quality, validate};
+use super::{quality, triangles};
 use crate::plane::{Complex64, Polygon};
 use crate::{Error, Result};
 
@@ -68,36 +68,6 @@ impl Evidence {
 }
 
 impl JointTriangulation {
-    /// A joint triangulation from its parts: two copies of the nodes, and triangles anticlockwise in both.
-    ///
-    /// ```
-    /// use conformal_warp::JointTriangulation;
-    /// use conformal_warp::Complex64;
-    /// let source = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| Complex64::new(x, y)).to_vec();
-    /// let target = source.iter().map(|z| z * Complex64::i()).collect();
-    /// let mesh = JointTriangulation::from_parts(source, target, vec![[0, 1, 2]])?;
-    /// assert_eq!(mesh.outline(), [0, 1, 2]);
-    /// # Ok::<(), conformal_warp::Error>(())
-    /// ```
-    ///
-    /// The magnification is that of the triangles; [`JointTriangulation::with_magnification`] gives it exactly.
-    ///
-    /// # Errors
-    /// As [`JointTriangulation::validate`].
-    pub fn from_parts(source: Vec<Complex64>, target: Vec<Complex64>, triangles: Vec<[u32; 3]>) -> Result<Self> {
-        validate::check_indices(&source, &target, &triangles)?;
-        let outline = validate::outline_of(&triangles)?;
-        let polygon = |points: &[Complex64]| {
-            let corners: Vec<_> = outline.iter().map(|&k| points[k as usize]).collect();
-            Polygon::new(&corners).map(Shape::Polygon)
-        };
-        let shapes = [polygon(&source)?, polygon(&target)?];
-        let magnification = quality::magnification(&source, &target, &triangles);
-        let mesh = Self { source, target, triangles, outline, shapes, magnification, evidence: Evidence::default() };
-        mesh.validate()?;
-        Ok(mesh)
-    }
-
     /// The same mesh with |f'| at its nodes as given; where a number is not finite and positive, the triangles' stays.
     ///
     /// # Errors
@@ -172,21 +142,12 @@ impl JointTriangulation {
     /// Number of triangles that are flipped or degenerate in either copy: 0 unless something went wrong.
     #[must_use]
     pub fn flipped(&self) -> usize {
-        validate::flipped(&self.source, &self.target, &self.triangles)
+        triangles::flipped(&self.source, &self.target, &self.triangles)
     }
 
     /// What the making of the mesh found out.
     #[must_use]
     pub fn evidence(&self) -> Evidence {
         self.evidence
-    }
-
-    /// Proves that both copies are triangulations of their outlines: every triangle anticlockwise, every inner edge
-    /// shared by exactly two triangles, the outline complete and simple, areas equal to the outlines' areas.
-    ///
-    /// # Errors
-    /// [`crate::Error::InvalidMesh`] with the first thing that is wrong.
-    pub fn validate(&self) -> Result<()> {
-        validate::validate(self)
     }
 }

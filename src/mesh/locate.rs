@@ -1,8 +1,7 @@
 //! The paper's way back from the disk: find the triangle, apply its affine map.
 
-use super::build::CLEARANCE;
 use super::correspondence::Correspondence;
-use super::scan;
+use super::scan::{self, CLEARANCE};
 use super::side::{Outline, Side};
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64};

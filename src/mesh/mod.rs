@@ -1,10 +1,15 @@
 //! Joint triangulations: the same connectivity on two point sets, affine in between.
 //!
 //! The paper's second method (section 3): sample a region, map the samples, triangulate, and carry the picture triangle
-//! by triangle. Each step is a file: [`MeshOptions`] say how densely, `scan` samples the interior, `ring` refines the
-//! boundary, `correspondence` says where a point goes, `connect` makes triangles, `density` grades them to an error,
-//! `repair` refines until none is flipped (`flip`, and where double precision has no room, `pocket` and `compatible`),
-//! `validate` proves it.
+//! by triangle. In the order of the computation:
+//! - `options` says how densely; `side` is one copy and its outline, `correspondence` which points belong together;
+//! - `ring` refines the boundary, with `net` over crowded nodes; `scan` samples the interior;
+//! - `connect` makes triangles (`triangles` is what can be said of them) of a `draft`'s nodes, `flip` mends edges;
+//! - `density` adds nodes until the affine pieces are as near to the map as asked;
+//! - `repair` adds nodes until no triangle is flipped, and where double precision has no room, `pocket` connects anew
+//!   (`compatible`);
+//! - `locate` is the paper's way from region to region;
+//! - `joint` is the mesh and `quality` its measures, `build` makes it, `validate` proves it, `export` writes it.
 
 mod build;
 mod compatible;
@@ -26,6 +31,7 @@ mod scan;
 mod side;
 #[cfg(test)]
 mod star;
+mod triangles;
 mod validate;
 
 pub use joint::{Evidence, JointTriangulation};

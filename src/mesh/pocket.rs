@@ -4,9 +4,9 @@
 //! so small a place, only that nothing is torn or folded. So a patch around each such place gets a connectivity that is
 //! valid in both copies by construction, and no more conformal than the place has room for.
 
-use super::compatible::{Ring, compatible};
+use super::compatible::{Corners, compatible};
 use super::draft::Draft;
-use super::validate::orientation;
+use super::triangles::{orientation, outlines_of};
 use crate::plane::Complex64;
 use std::collections::HashMap;
 
@@ -91,7 +91,7 @@ impl Draft<'_> {
 
     /// New triangles for a group, if its outlines are simple and the triangles valid.
     fn mended(&self, group: &[usize]) -> Option<Mended> {
-        let ring = self.ring_of(group)?;
+        let ring = self.outline_of(group)?;
         if ring.len() > MOST_CORNERS {
             return None;
         }
@@ -109,7 +109,7 @@ impl Draft<'_> {
                 .collect()
         };
         let (corners, flags) = ([at(&self.source), at(&self.target)], [straight(0), straight(1)]);
-        let rings = [0, 1].map(|copy| Ring { corners: &corners[copy], straight: &flags[copy] });
+        let rings = [0, 1].map(|copy| Corners { places: &corners[copy], straight: &flags[copy] });
         let found = compatible(&rings[0], &rings[1])?;
         let node = |k: u32| match ring.get(k as usize) {
             Some(&corner) => corner,
@@ -123,26 +123,10 @@ impl Draft<'_> {
     }
 
     /// The outline of a group of triangles, anticlockwise in the source; `None` unless it is one closed curve.
-    fn ring_of(&self, group: &[usize]) -> Option<Vec<u32>> {
-        let edges = || {
-            group.iter().flat_map(|&index| {
-                let [a, b, c] = self.triangles[index];
-                [(a, b), (b, c), (c, a)]
-            })
-        };
-        let all: std::collections::HashSet<_> = edges().collect();
-        let outline: Vec<_> = edges().filter(|&(a, b)| !all.contains(&(b, a))).collect();
-        let next: HashMap<u32, u32> = outline.iter().copied().collect();
-        let first = outline.first()?.0;
-        let mut ring = vec![first];
-        while ring.len() <= next.len() {
-            let node = *next.get(&ring[ring.len() - 1])?;
-            if node == first {
-                break;
-            }
-            ring.push(node);
-        }
-        (ring.len() == outline.len() && next.len() == outline.len()).then_some(ring)
+    fn outline_of(&self, group: &[usize]) -> Option<Vec<u32>> {
+        let triangles: Vec<_> = group.iter().map(|&index| self.triangles[index]).collect();
+        let mut outlines = outlines_of(&triangles).ok()?;
+        outlines.pop().filter(|_| outlines.is_empty())
     }
 
     /// Puts new triangles in the place of the marked ones, and drops nodes that have none left.

@@ -2,8 +2,6 @@
 
 use super::correspondence::Correspondence;
 use super::draft::Draft;
-use super::ring::RingNode;
-use super::validate::orientation;
 use crate::plane::Complex64;
 use crate::{Error, Result};
 use std::collections::BTreeSet;
@@ -46,35 +44,8 @@ impl Draft<'_> {
     }
 
     /// The triangles that are not anticlockwise in both copies, or have their corners on one edge of an outline.
-    pub(super) fn bad_triangles(&self) -> Vec<[u32; 3]> {
+    fn bad_triangles(&self) -> Vec<[u32; 3]> {
         self.triangles.iter().filter(|t| self.is_bad(**t)).copied().collect()
-    }
-
-    pub(super) fn is_bad(&self, t: [u32; 3]) -> bool {
-        orientation(&self.target, t) <= 0.0 || orientation(&self.source, t) <= 0.0 || self.is_flat(t)
-    }
-
-    /// Whether the corners lie on one edge of an outline: then only rounding gives the triangle an area.
-    pub(super) fn is_flat(&self, t: [u32; 3]) -> bool {
-        (0..2).any(|copy| self.is_straight(copy, t))
-    }
-
-    /// Whether three nodes lie on one straight edge of a copy's outline.
-    pub(super) fn is_straight(&self, copy: usize, nodes: [u32; 3]) -> bool {
-        let place = |k: u32| self.places.get(k as usize).copied().flatten();
-        let [Some(a), Some(b), Some(c)] = nodes.map(place) else { return false };
-        self.on_one_edge(copy, [a, b, c])
-    }
-
-    fn on_one_edge(&self, copy: usize, nodes: [RingNode; 3]) -> bool {
-        let Some(polygon) = self.outlines[copy].straight() else { return false };
-        let edges = |node: RingNode| {
-            let place = if copy == 0 { node.source } else { node.target };
-            let before = (place.edge + polygon.len() - 1) % polygon.len();
-            [place.edge, if place.t == 0.0 { before } else { place.edge }]
-        };
-        let [a, b, c] = nodes.map(edges);
-        a.iter().any(|edge| b.contains(edge) && c.contains(edge))
     }
 
     /// Adds the middle of the longest edge of each of these triangles; returns the number of nodes added.

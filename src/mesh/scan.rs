@@ -3,6 +3,9 @@
 use crate::plane::{Complex64, Polygon};
 use crate::{Error, Result};
 
+/// Samples keep this share of the spacing away from the boundary, where its own nodes are.
+pub(super) const CLEARANCE: f64 = 0.4;
+
 /// More grid points than this in a bounding box is a mistake in the units, not a mesh.
 const MOST_POINTS: f64 = 16e6;
 

@@ -1,87 +1,61 @@
 //! The proof that a joint triangulation is one.
 
-use super::joint::{JointTriangulation, Shape};
+use super::joint::{Evidence, JointTriangulation, Shape};
+use super::quality;
+use super::triangles::{boundary_edges, check_indices, invalid, orientation, outlines_of};
+use crate::Result;
 use crate::plane::{Complex64, Polygon};
-use crate::{Error, Result};
-use robust::{Coord, orient2d};
-use std::collections::{HashMap, HashSet};
 use std::f64::consts::TAU;
 
 /// Areas of a mesh and of its outline agree to this share.
 const AREA_TOLERANCE: f64 = 1e-9;
 
-/// Twice the signed area of a triangle; the sign is exact.
-pub(super) fn orientation(points: &[Complex64], [a, b, c]: [u32; 3]) -> f64 {
-    let [a, b, c] = [a, b, c].map(|k| points[k as usize]).map(|z| Coord { x: z.re, y: z.im });
-    orient2d(a, b, c)
-}
-
-/// Triangles that are not anticlockwise in both copies.
-pub(super) fn flipped(source: &[Complex64], target: &[Complex64], triangles: &[[u32; 3]]) -> usize {
-    let upright = |t: &&[u32; 3]| orientation(source, **t) > 0.0 && orientation(target, **t) > 0.0;
-    triangles.len() - triangles.iter().filter(upright).count()
-}
-
-/// See [`JointTriangulation::validate`].
-///
-/// Anticlockwise triangles, glued edge to edge into a disk whose boundary is a simple curve, cannot overlap: the
-/// affine pieces make a local homeomorphism that is one-to-one on the boundary, hence everywhere. The area sums say
-/// the same a second way.
-pub(super) fn validate(mesh: &JointTriangulation) -> Result<()> {
-    check_indices(&mesh.source, &mesh.target, &mesh.triangles)?;
-    check_edges(mesh)?;
-    check_copy("source", &mesh.source, &mesh.shapes[0], mesh)?;
-    check_copy("target", &mesh.target, &mesh.shapes[1], mesh)
-}
-
-fn invalid<T>(reason: String) -> Result<T> {
-    Err(Error::InvalidMesh { reason })
-}
-
-/// Both copies have all nodes, and each belongs to a triangle.
-pub(super) fn check_indices(source: &[Complex64], target: &[Complex64], triangles: &[[u32; 3]]) -> Result<()> {
-    if target.len() != source.len() {
-        return invalid(format!("it has {} source nodes but {} target nodes", source.len(), target.len()));
+impl JointTriangulation {
+    /// A joint triangulation from its parts: two copies of the nodes, and triangles anticlockwise in both.
+    ///
+    /// ```
+    /// use conformal_warp::JointTriangulation;
+    /// use conformal_warp::Complex64;
+    /// let source = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| Complex64::new(x, y)).to_vec();
+    /// let target = source.iter().map(|z| z * Complex64::i()).collect();
+    /// let mesh = JointTriangulation::from_parts(source, target, vec![[0, 1, 2]])?;
+    /// assert_eq!(mesh.outline(), [0, 1, 2]);
+    /// # Ok::<(), conformal_warp::Error>(())
+    /// ```
+    ///
+    /// The magnification is that of the triangles; [`JointTriangulation::with_magnification`] gives it exactly.
+    ///
+    /// # Errors
+    /// As [`JointTriangulation::validate`].
+    pub fn from_parts(source: Vec<Complex64>, target: Vec<Complex64>, triangles: Vec<[u32; 3]>) -> Result<Self> {
+        check_indices(&source, &target, &triangles)?;
+        let mut outlines = outlines_of(&triangles)?;
+        let outline = outlines.swap_remove(0);
+        let polygon = |points: &[Complex64]| {
+            let corners: Vec<_> = outline.iter().map(|&k| points[k as usize]).collect();
+            Polygon::new(&corners).map(Shape::Polygon)
+        };
+        let shapes = [polygon(&source)?, polygon(&target)?];
+        let magnification = quality::magnification(&source, &target, &triangles);
+        let mesh = Self { source, target, triangles, outline, shapes, magnification, evidence: Evidence::default() };
+        mesh.validate()?;
+        Ok(mesh)
     }
-    let mut used = vec![false; source.len()];
-    for &k in triangles.iter().flatten() {
-        match used.get_mut(k as usize) {
-            Some(used) => *used = true,
-            None => return invalid(format!("a triangle names node {k} of {}", source.len())),
-        }
-    }
-    match used.iter().position(|used| !used) {
-        Some(k) => invalid(format!("node {k} belongs to no triangle")),
-        None => Ok(()),
-    }
-}
 
-/// The directed edges that have a triangle on their left only. No edge may have two there.
-fn boundary_edges(triangles: &[[u32; 3]]) -> Result<HashMap<u32, u32>> {
-    let mut edges = HashSet::with_capacity(3 * triangles.len());
-    for &[a, b, c] in triangles {
-        for edge in [(a, b), (b, c), (c, a)] {
-            if !edges.insert(edge) {
-                return invalid(format!("two triangles lie on the same side of edge {edge:?}"));
-            }
-        }
+    /// Proves that both copies are triangulations of their outlines: every triangle anticlockwise, every inner edge
+    /// shared by exactly two triangles, the outline complete and simple, areas equal to the outlines' areas.
+    ///
+    /// # Errors
+    /// [`crate::Error::InvalidMesh`] with the first thing that is wrong.
+    pub fn validate(&self) -> Result<()> {
+        // Anticlockwise triangles, glued edge to edge into a disk whose boundary is a simple curve, cannot overlap: the
+        // affine pieces make a local homeomorphism that is one-to-one on the boundary, hence everywhere. The area sums
+        // say the same a second way.
+        check_indices(&self.source, &self.target, &self.triangles)?;
+        check_edges(self)?;
+        check_copy("source", &self.source, &self.shapes[0], self)?;
+        check_copy("target", &self.target, &self.shapes[1], self)
     }
-    let boundary: Vec<_> = edges.iter().filter(|&&(a, b)| !edges.contains(&(b, a))).collect();
-    let next: HashMap<_, _> = boundary.iter().map(|&&edge| edge).collect();
-    if next.len() == boundary.len() { Ok(next) } else { invalid("its boundary touches itself at a node".to_string()) }
-}
-
-/// The boundary of the triangles, anticlockwise from its lowest node.
-pub(super) fn outline_of(triangles: &[[u32; 3]]) -> Result<Vec<u32>> {
-    let next = boundary_edges(triangles)?;
-    let Some(&first) = next.keys().min() else { return invalid("it has no boundary".to_string()) };
-    let mut outline = vec![first];
-    let mut node = next[&first];
-    while node != first && outline.len() < next.len() {
-        outline.push(node);
-        node = next[&node];
-    }
-    Ok(outline)
 }
 
 /// Every inner edge has two triangles, and the others make the outline: one closed curve around a disk.
