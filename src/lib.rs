@@ -65,7 +65,7 @@ pub use cortex::{
 pub use error::{Error, Result};
 pub use formula::FormulaMap;
 pub use map::{Compose, Inverse, InvertibleMap, Jet, Moebius, PlaneMap};
-pub use mesh::{Density, JointTriangulation, MeshOptions, Route};
+pub use mesh::{Density, JointTriangulation, MeshOptions, MeshStop, Route};
 pub use plane::{BoundaryPoint, Complex64, Curve, Frame, Polygon, Region, SmoothCurve, parse_outline};
 pub use riemann::{DiskPoint, RegionMap, RiemannMap};
 pub use symm::options::{Progress, SolveOptions, Stop};

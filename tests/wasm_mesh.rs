@@ -49,12 +49,22 @@ fn a_mesh_is_two_copies_of_its_nodes() {
         assert!(target.chunks(2).all(|w| w[0].hypot(w[1]) < 1.0 + 1e-12));
         assert_eq!(mesh.flipped(), 0);
         mesh.validate().unwrap();
-        assert!(property(&mesh.evidence().unwrap().js_value(), "largestError").as_f64().unwrap() > 0.0);
+        let evidence = mesh.evidence().unwrap().js_value();
+        assert!(property(&evidence, "largestError").as_f64().unwrap() > 0.0);
+        assert_eq!(property(&evidence, "stop").as_string().unwrap(), "density");
 
         let copy = JointTriangulation::from_parts(&source, &target, &triangles, Some(mesh.magnification())).unwrap();
         assert_eq!(copy.triangles(), triangles);
         assert_eq!(copy.magnification(), mesh.magnification());
     }
+}
+
+#[wasm_bindgen_test]
+fn a_mesh_can_be_cancelled() {
+    let sampled = "maxErrorPixels: 0.5, frame: { center: [0, 0], width: 2, pixels: [100, 100] }";
+    assert!(mesh(&format!("{sampled}, onProgress: (stage, fraction) => fraction >= 0")).is_ok());
+    let failure = mesh(&format!("{sampled}, onProgress: () => false")).unwrap_err();
+    assert_eq!(property(&failure, "code").as_string().unwrap(), "cancelled");
 }
 
 #[wasm_bindgen_test]

@@ -3,19 +3,23 @@
 use super::correspondence::{Correspondence, OntoDisk};
 use super::density::first_spacing;
 use super::draft::Draft;
-use super::joint::{JointTriangulation, Shape};
+use super::joint::{JointTriangulation, MeshStop, Shape};
 use super::locate::Located;
 use super::options::{Density, MeshOptions, Route};
+use super::ring::Room;
 use super::side::Outline;
 use super::{net, quality, scan};
-use crate::Result;
 use crate::plane::{Complex64, Polygon};
 use crate::riemann::{RegionMap, RiemannMap};
+use crate::symm::options::Progress;
+use crate::{Error, Result};
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
 /// A point of the net keeps this share of its distance from the boundary away from samples.
 const APART: f64 = 0.6;
+/// Undoing flips changes triangles, which may need more nodes in turn; so often at most.
+const MOST_TURNS: usize = 4;
 
 impl JointTriangulation {
     /// Region → disk: the nodes of the region and their images under its Riemann map.
@@ -33,9 +37,18 @@ impl JointTriangulation {
     /// ```
     ///
     /// # Errors
-    /// [`crate::Error::InvalidOption`], and [`crate::Error::Crowded`] where double precision cannot keep nodes apart.
+    /// [`Error::InvalidOption`], and [`Error::Crowded`] where double precision cannot keep nodes apart.
     pub fn region_to_disk(map: &RiemannMap, options: &MeshOptions) -> Result<Self> {
-        between(&OntoDisk(map), options)
+        Self::region_to_disk_with(map, options, &mut |_, _| true)
+    }
+
+    /// [`JointTriangulation::region_to_disk`]; `progress` hears the stage and the fraction done, and cancels by returning
+    /// false.
+    ///
+    /// # Errors
+    /// As there, and [`Error::Cancelled`].
+    pub fn region_to_disk_with(map: &RiemannMap, options: &MeshOptions, progress: Progress) -> Result<Self> {
+        between(&OntoDisk(map), options, progress)
     }
 
     /// Region → region through the disk: center goes to center, `toward` to `toward`, and each outline to the other.
@@ -43,22 +56,24 @@ impl JointTriangulation {
     /// # Errors
     /// As [`JointTriangulation::region_to_disk`].
     pub fn region_to_region(from: &RiemannMap, to: &RiemannMap, options: &MeshOptions) -> Result<Self> {
-        options.check()?;
-        let [source, target] = [from, to].map(|map| map.region().polygon().area());
-        let spacing = match options.density {
-            Density::Spacing(spacing) => spacing * (target / source).sqrt(),
-            Density::MaxError { .. } => target.sqrt() / 60.0,
-        };
+        Self::region_to_region_with(from, to, options, &mut |_, _| true)
+    }
+
+    /// [`JointTriangulation::region_to_region`]; `progress` hears the stage and the fraction done, and cancels by returning
+    /// false.
+    ///
+    /// # Errors
+    /// As there, and [`Error::Cancelled`].
+    pub fn region_to_region_with(
+        from: &RiemannMap,
+        to: &RiemannMap,
+        options: &MeshOptions,
+        progress: Progress,
+    ) -> Result<Self> {
         let exact = RegionMap::between(from, to);
         match options.route {
-            Route::Exact => between(&exact, options),
-            Route::Located => {
-                let mut draft = chosen(&exact, options)?;
-                draft.relocate(&Located::sampled(&exact, spacing)?)?;
-                let mut mesh = draft.finish()?;
-                mesh.evidence.route_difference = mesh.largest_difference(&exact);
-                Ok(mesh)
-            }
+            Route::Exact => between(&exact, options, progress),
+            Route::Located => located(&exact, options, progress),
         }
     }
 
@@ -70,31 +85,63 @@ impl JointTriangulation {
 }
 
 /// Source → target by the paper's method "with boundaries", for any two copies.
-pub(super) fn between(map: &dyn Correspondence, options: &MeshOptions) -> Result<JointTriangulation> {
-    let mut draft = chosen(map, options)?;
-    draft.connect_valid(map)?;
-    draft.finish()
+pub(super) fn between(
+    map: &dyn Correspondence,
+    options: &MeshOptions,
+    progress: Progress,
+) -> Result<JointTriangulation> {
+    with_room(|room| chosen(map, options, room, progress)?.finish())
 }
 
-/// The nodes that the options ask for.
-fn chosen<'a>(map: &'a dyn Correspondence, options: &MeshOptions) -> Result<Draft<'a>> {
+/// The same with the samples of the source where triangles of the target's samples have them.
+fn located(exact: &RegionMap, options: &MeshOptions, progress: Progress) -> Result<JointTriangulation> {
     options.check()?;
-    match options.density {
-        Density::Spacing(spacing) => Draft::sampled(map, spacing),
-        Density::MaxError { pixels, frame } => {
-            let area = map.copies()[0].polygon().map_or(PI, Polygon::area);
-            let mut draft = Draft::sampled(map, first_spacing(area))?;
-            draft.evidence.pixel_size = Some(frame.pixel_size());
-            draft.refine_to(pixels * frame.pixel_size())?;
-            Ok(draft)
-        }
+    let [source, target] = [exact.source(), exact.target()].map(|map| map.region().polygon().area());
+    let spacing = match options.density {
+        Density::Spacing(spacing) => spacing * (target / source).sqrt(),
+        Density::MaxError { .. } => target.sqrt() / 60.0,
+    };
+    let triangles = Located::sampled(exact, spacing)?;
+    with_room(|room| {
+        let mut draft = chosen(exact, options, room, progress)?;
+        draft.relocate(&triangles, progress)?;
+        let mut mesh = draft.finish()?;
+        mesh.evidence.route_difference = mesh.largest_difference(exact);
+        Ok(mesh)
+    })
+}
+
+/// Makes a mesh with boundary nodes as near to each other as double precision can do with; or else farther apart.
+fn with_room(mut make: impl FnMut(Room) -> Result<JointTriangulation>) -> Result<JointTriangulation> {
+    match make(Room::LEAST) {
+        Err(Error::Crowded { .. } | Error::InvalidMesh { .. }) => make(Room::AMPLE),
+        done => done,
     }
+}
+
+/// The nodes that the options ask for, connected.
+fn chosen<'a>(map: &'a dyn Correspondence, options: &MeshOptions, room: Room, progress: Progress) -> Result<Draft<'a>> {
+    options.check()?;
+    let (pixels, frame) = match options.density {
+        Density::MaxError { pixels, frame } => (pixels, frame),
+        Density::Spacing(spacing) => {
+            let mut draft = Draft::sampled(map, spacing, room)?;
+            draft.connect_valid(map, progress)?;
+            draft.evidence.largest_error = draft.largest_error();
+            return Ok(draft);
+        }
+    };
+    let area = map.copies()[0].polygon().map_or(PI, Polygon::area);
+    let mut draft = Draft::sampled(map, first_spacing(area), room)?;
+    draft.evidence.pixel_size = Some(frame.pixel_size());
+    draft.keep_within(pixels * frame.pixel_size(), progress)?;
+    Ok(draft)
 }
 
 impl<'a> Draft<'a> {
     /// The refined boundary and the source's interior samples: the paper's grid, through the center so that it is a node.
-    fn sampled(map: &'a dyn Correspondence, spacing: f64) -> Result<Self> {
-        let mut draft = Self::new(map, spacing)?;
+    fn sampled(map: &'a dyn Correspondence, spacing: f64, room: Room) -> Result<Self> {
+        let mut draft = Self::new(map, spacing, room)?;
         let [source, _] = map.copies();
         if let Some(polygon) = source.polygon() {
             let samples = scan::fill(polygon, source.center(), spacing, scan::CLEARANCE * spacing)?;
@@ -105,9 +152,28 @@ impl<'a> Draft<'a> {
         Ok(draft)
     }
 
-    /// The joint triangulation, with what its making found out.
-    fn finish(mut self) -> Result<JointTriangulation> {
-        self.evidence.largest_error = self.largest_error();
+    /// Connects nodes, as many as it takes to stay within `bound` (plane units of the target) of the map where that is
+    /// possible.
+    fn keep_within(&mut self, bound: f64, progress: Progress) -> Result<()> {
+        for _ in 0..MOST_TURNS {
+            let before = self.source.len();
+            let full = self.refine_to(bound, progress)?;
+            self.connect_valid(self.map, progress)?;
+            self.evidence.largest_error = self.largest_error();
+            self.evidence.stop = match self.evidence.largest_error <= bound {
+                true => MeshStop::Density,
+                false if full => MeshStop::MaxNodes,
+                false => MeshStop::Crowded,
+            };
+            if self.evidence.stop != MeshStop::Crowded || self.evidence.mended > 0 || self.source.len() == before {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// The joint triangulation, proven to be one.
+    fn finish(self) -> Result<JointTriangulation> {
         let exact = self.map.magnification(&self.source, &self.target);
         let shape = |outline: &Outline| match outline.straight() {
             Some(polygon) => Shape::Polygon(polygon.clone()),
@@ -115,26 +181,29 @@ impl<'a> Draft<'a> {
             None => Shape::Disk,
         };
         let mesh = JointTriangulation {
-            shapes: [shape(&self.outlines[0]), shape(&self.outlines[1])],
-            outline: self.ring.iter().map(|(id, _)| *id).collect(),
+            shapes: self.outlines.each_ref().map(|outline| vec![shape(outline)]),
+            outlines: vec![self.ring.iter().map(|(id, _)| *id).collect()],
             magnification: quality::magnification(&self.source, &self.target, &self.triangles),
             source: self.source,
             target: self.target,
             triangles: self.triangles,
             evidence: self.evidence,
         };
+        mesh.validate()?;
         mesh.with_magnification(&exact)
     }
 
     /// Puts the inner nodes where another map says, and connects them.
-    fn relocate(&mut self, map: &dyn Correspondence) -> Result<()> {
+    fn relocate(&mut self, map: &dyn Correspondence, progress: Progress) -> Result<()> {
         let places = map.forward(&self.source);
         for k in (0..self.source.len()).filter(|&k| self.places[k].is_none()) {
             if self.outlines[1].depth(places[k]) > 0.0 {
                 self.target[k] = places[k];
             }
         }
-        self.connect_valid(map)
+        self.connect_valid(map, progress)?;
+        self.evidence.largest_error = self.largest_error();
+        Ok(())
     }
 
     /// Adds points of the disk with their places in both copies, except those that samples `spacing` apart stand in for.
@@ -158,9 +227,10 @@ impl<'a> Draft<'a> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::side::Side;
     use super::super::star::{Star, StarOntoDisk, Stars};
     use super::*;
-    use crate::plane::{Complex64, Frame};
+    use crate::plane::{BoundaryPoint, Complex64, Frame};
 
     fn points(xy: &[(f64, f64)]) -> Vec<Complex64> {
         xy.iter().map(|&(x, y)| Complex64::new(x, y)).collect()
@@ -183,11 +253,58 @@ mod tests {
         for options in [MeshOptions::with_spacing(0.1), MeshOptions::quarter_pixel(frame)] {
             for (source, target) in [(&square, &star), (&star, &square)] {
                 for map in [&Stars(source, target) as &dyn Correspondence, &StarOntoDisk(source)] {
-                    let mesh = between(map, &options).unwrap();
+                    let mesh = between(map, &options, &mut |_, _| true).unwrap();
                     mesh.validate().unwrap();
                     assert_eq!(mesh.flipped(), 0);
                 }
             }
         }
+    }
+
+    /// A map that has no value in a part of its region.
+    struct Torn<'a>(StarOntoDisk<'a>);
+
+    impl Correspondence for Torn<'_> {
+        fn copies(&self) -> [&dyn Side; 2] {
+            self.0.copies()
+        }
+
+        fn forward(&self, points: &[Complex64]) -> Vec<Complex64> {
+            let lost = |z: &Complex64| (z - Complex64::new(0.5, 0.5)).norm() < 0.2;
+            let image = |(z, w)| if lost(z) { Complex64::new(f64::NAN, 0.0) } else { w };
+            points.iter().zip(self.0.forward(points)).map(image).collect()
+        }
+
+        fn backward(&self, points: &[Complex64]) -> Vec<Complex64> {
+            self.0.backward(points)
+        }
+
+        fn boundary_forward(&self, point: BoundaryPoint) -> BoundaryPoint {
+            self.0.boundary_forward(point)
+        }
+
+        fn boundary_backward(&self, point: BoundaryPoint) -> BoundaryPoint {
+            self.0.boundary_backward(point)
+        }
+
+        fn undo_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
+            self.0.undo_disk(points)
+        }
+
+        fn magnification(&self, source: &[Complex64], target: &[Complex64]) -> Vec<f64> {
+            self.0.magnification(source, target)
+        }
+    }
+
+    #[test]
+    fn what_has_no_image_is_an_error() {
+        let corners = points(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]);
+        let square = Star::new(&corners, Complex64::new(1.0, 1.0), Complex64::new(2.0, 1.0));
+        let frame = Frame::new(Complex64::ZERO, 2.0, [200, 200]).unwrap();
+        let torn = Torn(StarOntoDisk(&square));
+        let mesh = between(&torn, &MeshOptions::quarter_pixel(frame), &mut |_, _| true).unwrap();
+        mesh.validate().unwrap();
+        assert_eq!(mesh.evidence().largest_error, f64::INFINITY);
+        assert_eq!(mesh.evidence().stop, MeshStop::Crowded);
     }
 }

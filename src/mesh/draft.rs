@@ -2,7 +2,7 @@
 
 use super::correspondence::Correspondence;
 use super::joint::Evidence;
-use super::ring::{Ring, RingNode};
+use super::ring::{Ring, RingNode, Room};
 use super::side::Outline;
 use super::triangles::orientation;
 use crate::Result;
@@ -24,14 +24,15 @@ pub(super) struct Draft<'a> {
     pub(super) places: Vec<Option<RingNode>>,
     pub(super) triangles: Vec<[u32; 3]>,
     pub(super) evidence: Evidence,
+    pub(super) room: Room,
     /// Where inner nodes of the source are, as bits: two middles may fall together.
     taken: HashSet<[u64; 2]>,
 }
 
 impl<'a> Draft<'a> {
-    /// The refined boundary, and `samples` of the source's interior with their images.
-    pub(super) fn new(map: &'a dyn Correspondence, spacing: f64) -> Result<Self> {
-        let ring = Ring::new(map, spacing)?;
+    /// The refined boundary.
+    pub(super) fn new(map: &'a dyn Correspondence, spacing: f64, room: Room) -> Result<Self> {
+        let ring = Ring::new(map, spacing, room)?;
         let evidence = Evidence { moved: ring.moved, ..Evidence::default() };
         Ok(Self {
             map,
@@ -42,6 +43,7 @@ impl<'a> Draft<'a> {
             ring: ring.nodes.into_iter().enumerate().map(|(k, node)| (k as u32, node)).collect(),
             triangles: Vec::new(),
             evidence,
+            room,
             taken: HashSet::new(),
         })
     }
@@ -97,7 +99,7 @@ impl<'a> Draft<'a> {
             if starts.binary_search(&id).is_err() {
                 continue;
             }
-            if let Some(middle) = self.between(node, self.ring[(k + 1) % self.ring.len()].1) {
+            if let Some(middle) = self.between(node, self.ring[(k + 1) % self.ring.len()].1, 0.5) {
                 ring.push((self.source.len() as u32, middle));
                 self.source.push(middle.source.point);
                 self.target.push(middle.target.point);
@@ -109,18 +111,18 @@ impl<'a> Draft<'a> {
         added
     }
 
-    /// The boundary node halfway between two neighbours, measured where they are farther apart.
-    pub(super) fn between(&self, p: RingNode, q: RingNode) -> Option<RingNode> {
+    /// The boundary node between two neighbours, `share` of the way measured where they are farther apart.
+    pub(super) fn between(&self, p: RingNode, q: RingNode, share: f64) -> Option<RingNode> {
         let [source, target] = &self.outlines;
-        let halfway = |outline: &Outline, a: BoundaryPoint, b: BoundaryPoint| {
+        let part_way = |outline: &Outline, a: BoundaryPoint, b: BoundaryPoint| {
             let (from, mut to) = (outline.distance(a), outline.distance(b));
             if to <= from {
                 to = outline.length();
             }
-            (outline.at_distance(0.5 * (from + to)), from, to)
+            (outline.at_distance(from + share * (to - from)), from, to)
         };
-        let (a, a_from, a_to) = halfway(source, p.source, q.source);
-        let (b, b_from, b_to) = halfway(target, p.target, q.target);
+        let (a, a_from, a_to) = part_way(source, p.source, q.source);
+        let (b, b_from, b_to) = part_way(target, p.target, q.target);
         let strictly_between = |outline: &Outline, point: BoundaryPoint, from: f64, to: f64| {
             let s = outline.distance(point);
             let margin = 1e-3 * (to - from);
@@ -130,8 +132,17 @@ impl<'a> Draft<'a> {
             let image = self.map.boundary_forward(a);
             RingNode { source: a, target: if strictly_between(target, image, b_from, b_to) { image } else { b } }
         } else {
-            let image = self.map.boundary_backward(b);
-            RingNode { source: if strictly_between(source, image, a_from, a_to) { image } else { a }, target: b }
+            let origin = self.map.boundary_backward(b);
+            if strictly_between(source, origin, a_from, a_to) {
+                // As for inner nodes, the way there counts.
+                let image = self.map.boundary_forward(origin);
+                RingNode {
+                    source: origin,
+                    target: if strictly_between(target, image, b_from, b_to) { image } else { b },
+                }
+            } else {
+                RingNode { source: a, target: b }
+            }
         };
         let ends = [(p.source, q.source, node.source), (p.target, q.target, node.target)];
         ends.iter().all(|(p, q, m)| m.point != p.point && m.point != q.point).then_some(node)

@@ -29,13 +29,16 @@ impl JointTriangulation {
                 let _ = write!(lines, "M{x1:.2} {y1:.2}L{x2:.2} {y2:.2}");
             }
             let mut outline = String::new();
-            for (k, &node) in self.outline.iter().enumerate() {
-                let (x, y) = at(node);
-                let _ = write!(outline, "{}{x:.2} {y:.2}", if k == 0 { 'M' } else { 'L' });
+            for ring in &self.outlines {
+                for (k, &node) in ring.iter().enumerate() {
+                    let (x, y) = at(node);
+                    let _ = write!(outline, "{}{x:.2} {y:.2}", if k == 0 { 'M' } else { 'L' });
+                }
+                outline.push('Z');
             }
             let _ = writeln!(
                 svg,
-                "<g class=\"{class}\"><path stroke-width=\"0.6\" d=\"{lines}\"/><path stroke-width=\"2.5\" d=\"{outline}Z\"/></g>"
+                "<g class=\"{class}\"><path stroke-width=\"0.6\" d=\"{lines}\"/><path stroke-width=\"2.5\" d=\"{outline}\"/></g>"
             );
         }
         svg.push_str("</svg>\n");
@@ -68,8 +71,10 @@ impl JointTriangulation {
         let mut edges: Vec<_> =
             self.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).filter(|(a, b)| a < b).collect();
         let mut next = vec![u32::MAX; self.source.len()];
-        for (k, &node) in self.outline.iter().enumerate() {
-            next[node as usize] = self.outline[(k + 1) % self.outline.len()];
+        for ring in &self.outlines {
+            for (k, &node) in ring.iter().enumerate() {
+                next[node as usize] = ring[(k + 1) % ring.len()];
+            }
         }
         edges.retain(|&(a, b)| next[a as usize] != b && next[b as usize] != a);
         edges

@@ -13,8 +13,10 @@ pub struct JointTriangulation {
     pub(super) source: Vec<Complex64>,
     pub(super) target: Vec<Complex64>,
     pub(super) triangles: Vec<[u32; 3]>,
-    pub(super) outline: Vec<u32>,
-    pub(super) shapes: [Shape; 2],
+    /// Closed curves with the triangles on their left.
+    pub(super) outlines: Vec<Vec<u32>>,
+    /// What each of them must be, in each copy.
+    pub(super) shapes: [Vec<Shape>; 2],
     pub(super) magnification: Vec<f64>,
     pub(super) evidence: Evidence,
 }
@@ -27,6 +29,20 @@ pub(super) enum Shape {
     Curve,
     /// The unit disk, replaced by the polygon of the nodes on its circle.
     Disk,
+}
+
+/// Why a mesh has no more nodes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(serde::Serialize, tsify::Tsify), serde(rename_all = "kebab-case"))]
+pub enum MeshStop {
+    /// It has the density that was asked for: the spacing, or an error within the bound.
+    #[default]
+    Density,
+    /// The error is above the bound, and more nodes do not help: double precision has no room for them. A picture drawn
+    /// by the map itself, without a mesh, has no such limit.
+    Crowded,
+    /// The error is above the bound, and there are as many nodes as a mesh may have.
+    MaxNodes,
 }
 
 /// What the making of a joint triangulation found out about it. Lengths are in plane units of the target, and in pixels
@@ -43,9 +59,12 @@ pub struct Evidence {
     pub mended: usize,
     /// Boundary nodes moved along an outline because the maps crowd them together beyond double precision.
     pub moved: usize,
-    /// Largest distance between the map and its affine pieces, measured at the middles of
-    /// edges and triangles.
+    /// Largest distance between the map and its affine pieces, measured at the middles of edges and triangles and towards
+    /// corners, in what was mended too; infinite if the map has no value there. Places so small that they show one colour of
+    /// the source do not count.
     pub largest_error: f64,
+    /// Why there are no more nodes.
+    pub stop: MeshStop,
     /// Largest distance between where the paper's route puts the samples and where the
     /// exact one does; 0 for the exact route.
     pub route_difference: f64,
@@ -115,7 +134,7 @@ impl JointTriangulation {
     /// The nodes on the boundary, anticlockwise, from the one that goes to `toward`.
     #[must_use]
     pub fn outline(&self) -> &[u32] {
-        &self.outline
+        &self.outlines[0]
     }
 
     /// How much the map magnifies at each node, target over source: |f'|, and at corners, where that is 0 or infinite, what

@@ -5,7 +5,7 @@
 //! - `options` says how densely; `side` is one copy and its outline, `correspondence` which points belong together;
 //! - `ring` refines the boundary, with `net` over crowded nodes; `scan` samples the interior;
 //! - `connect` makes triangles (`triangles` is what can be said of them) of a `draft`'s nodes, `flip` mends edges;
-//! - `density` adds nodes until the affine pieces are as near to the map as asked;
+//! - `density` adds nodes until the affine pieces are as near to the map as asked, measured at points of `probe`;
 //! - `repair` adds nodes until no triangle is flipped, and where double precision has no room, `pocket` connects anew
 //!   (`compatible`);
 //! - `locate` is the paper's way from region to region;
@@ -24,6 +24,7 @@ mod locate;
 mod net;
 mod options;
 mod pocket;
+mod probe;
 mod quality;
 mod repair;
 mod ring;
@@ -34,5 +35,5 @@ mod star;
 mod triangles;
 mod validate;
 
-pub use joint::{Evidence, JointTriangulation};
+pub use joint::{Evidence, JointTriangulation, MeshStop};
 pub use options::{Density, MeshOptions, Route};

@@ -3,6 +3,7 @@
 use super::correspondence::Correspondence;
 use super::draft::Draft;
 use crate::plane::Complex64;
+use crate::symm::options::Progress;
 use crate::{Error, Result};
 use std::collections::BTreeSet;
 
@@ -15,15 +16,18 @@ impl Draft<'_> {
     /// Connects the nodes, then adds nodes and their images under `map` until no triangle is flipped or degenerate; what is left then is mended.
     ///
     /// # Errors
-    /// [`Error::Crowded`] if that is not possible either.
-    pub(super) fn connect_valid(&mut self, map: &dyn Correspondence) -> Result<()> {
+    /// [`Error::Crowded`] if that is not possible either, and [`Error::Cancelled`].
+    pub(super) fn connect_valid(&mut self, map: &dyn Correspondence, progress: Progress) -> Result<()> {
         self.connect()?;
         let mut bad = self.bad_triangles();
-        self.evidence.flipped_at_first = bad.len();
+        self.evidence.flipped_at_first = self.evidence.flipped_at_first.max(bad.len());
         self.flip_bad();
         bad = self.bad_triangles();
         let start = self.source.len();
-        for _ in 0..MOST_ROUNDS {
+        for round in 0..MOST_ROUNDS {
+            if !progress("undoing flips", round as f64 / MOST_ROUNDS as f64) {
+                return Err(Error::Cancelled);
+            }
             let too_many = self.source.len() > MOST_GROWTH * start + 1000;
             if bad.is_empty() || too_many || self.refine(&bad, map) == 0 {
                 break;
@@ -32,7 +36,7 @@ impl Draft<'_> {
             self.flip_bad();
             bad = self.bad_triangles();
         }
-        self.evidence.added = self.source.len() - start;
+        self.evidence.added += self.source.len() - start;
         let Some(t) = bad.first() else { return Ok(()) };
         let [a, b, c] = t.map(|k| self.source[k as usize]);
         if self.mend(&bad) && self.bad_triangles().is_empty() {

@@ -7,9 +7,22 @@ use crate::plane::BoundaryPoint;
 use crate::{Error, Result};
 use std::f64::consts::TAU;
 
-/// Nodes of one copy closer than this share of the outline's length are moved apart. They come from parts of the
-/// other copy that this one shrinks to nothing, so that the picture does not show the move.
-const CLOSEST: f64 = 1e-7;
+/// Nodes of one polygon closer than `closest` of the outline's length are moved apart. They come from parts of the other
+/// copy that this one shrinks to nothing, so that the picture does not show the move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Room {
+    closest: f64,
+    /// What is shorter than this share of the source's outline is not refined: numbers cannot tell its points apart.
+    pub(super) finest: f64,
+}
+
+impl Room {
+    /// As little as double precision can do with: a corner that the other copy opens a long way is that near to a node.
+    pub(super) const LEAST: Self = Self { closest: 1e-13, finest: 1e-14 };
+    /// Enough for whole pockets to be connected in what the nodes are moved to.
+    pub(super) const AMPLE: Self = Self { closest: 1e-7, finest: 1e-6 };
+}
+
 /// The same on the circle, where three neighbours must still make a triangle: its height is a quarter of the square.
 const CLOSEST_ON_CIRCLE: f64 = 1e-7;
 /// An outline's own point gives way to a corner that is closer than this share of the spacing.
@@ -82,7 +95,7 @@ impl Ring {
     /// # Errors
     /// [`Error::Crowded`] where corners of one copy come so close together in the other that double precision
     /// cannot place them one after the other.
-    pub(super) fn new(map: &dyn Correspondence, spacing: f64) -> Result<Self> {
+    pub(super) fn new(map: &dyn Correspondence, spacing: f64, room: Room) -> Result<Self> {
         let outlines = map.copies().map(Outline::new);
         let own = candidates_of_source(map, &outlines, spacing);
         let others = candidates_of_target(map, &outlines);
@@ -92,8 +105,8 @@ impl Ring {
         drop_crowded(&mut list, CROWDED * spacing, 1e-3 * reach);
         grade(&mut list, map, &outlines);
         let mut moved = vec![false; list.len()];
-        spread(&mut list, |c| &mut c.source, &outlines[0], &mut moved)?;
-        spread(&mut list, |c| &mut c.target, &outlines[1], &mut moved)?;
+        spread(&mut list, |c| &mut c.source, &outlines[0], room, &mut moved)?;
+        spread(&mut list, |c| &mut c.target, &outlines[1], room, &mut moved)?;
         let nodes = list.iter().map(|c| RingNode { source: c.source.point, target: c.target.point }).collect();
         Ok(Self { nodes, moved: moved.iter().filter(|&&m| m).count() })
     }
@@ -227,11 +240,14 @@ fn drop_crowded(list: &mut Vec<Candidate>, source_gap: f64, target_gap: f64) {
 fn grade(list: &mut Vec<Candidate>, map: &dyn Correspondence, [own, other]: &[Outline; 2]) {
     let [source, target] = map.copies();
     let angles: Vec<_> = list.iter().map(|c| c.angle).collect();
-    list.extend(net::grading(&angles, source.error().max(target.error())).into_iter().map(|angle| Candidate {
-        angle,
-        origin: Origin::Division,
-        source: Place::image(source.at_angle(angle), angle, own),
-        target: Place::image(target.at_angle(angle), angle, other),
+    list.extend(net::grading(&angles, source.error().max(target.error())).into_iter().map(|angle| {
+        let point = source.at_angle(angle);
+        Candidate {
+            angle,
+            origin: Origin::Division,
+            source: Place::image(point, angle, own),
+            target: Place::image(map.boundary_forward(point), angle, other),
+        }
     }));
     list.sort_by(|p, q| p.angle.total_cmp(&q.angle));
 }
@@ -241,9 +257,10 @@ fn spread(
     list: &mut [Candidate],
     place: impl Fn(&mut Candidate) -> &mut Place,
     outline: &Outline,
+    room: Room,
     moved: &mut [bool],
 ) -> Result<()> {
-    let closest = if outline.is_polygon() { CLOSEST } else { CLOSEST_ON_CIRCLE } * outline.length();
+    let closest = if outline.is_polygon() { room.closest } else { CLOSEST_ON_CIRCLE } * outline.length();
     let mut start = 0;
     while start < list.len() {
         let from = place(&mut list[start]).distance;

@@ -186,6 +186,17 @@ impl<'a> Outline<'a> {
         }
     }
 
+    /// The outline's point nearest to one outside, or to one that rounding may put outside; for a smooth curve, to any, measured
+    /// to its chords.
+    pub(super) fn nearest_outside(&self, z: Complex64) -> Option<BoundaryPoint> {
+        let polygon = self.polygon.filter(|_| z.is_finite())?;
+        let nearest = polygon.nearest(z);
+        match self.smooth {
+            Some(_) => Some(self.on_edge(nearest.edge, nearest.t)),
+            None => (self.depth(z) <= ROUNDING * self.length()).then_some(nearest),
+        }
+    }
+
     /// Distance from a point inside to the outline; negative outside, NaN for a point that is not finite.
     pub(super) fn depth(&self, z: Complex64) -> f64 {
         match self.polygon {

@@ -3,7 +3,7 @@
 use crate::plane::Complex64;
 use crate::{Error, Result};
 use robust::{Coord, orient2d};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 
 /// Twice the signed area of a triangle; the sign is exact.
 pub(super) fn orientation(points: &[Complex64], [a, b, c]: [u32; 3]) -> f64 {
@@ -64,13 +64,24 @@ pub(super) fn outlines_of(triangles: &[[u32; 3]]) -> Result<Vec<Vec<u32>>> {
 
 /// The directed edges that have a triangle on their left only, end by start. No edge may have two there.
 pub(super) fn boundary_edges(triangles: &[[u32; 3]]) -> Result<BTreeMap<u32, u32>> {
-    let mut all = HashSet::with_capacity(3 * triangles.len());
-    for edge in triangles.iter().flat_map(|&t| edges(t)) {
-        if !all.insert(edge) {
-            return invalid(format!("two triangles lie on the same side of edge {edge:?}"));
+    let nodes = triangles.iter().flatten().max().map_or(0, |&k| k as usize + 1);
+    // The ends of the edges that start at each node: few, so that looking through them is fast.
+    let mut first = vec![0; nodes + 1];
+    triangles.iter().flatten().for_each(|&k| first[k as usize + 1] += 1);
+    (0..nodes).for_each(|k| first[k + 1] += first[k]);
+    let mut ends = vec![0; 3 * triangles.len()];
+    let mut filled = first.clone();
+    for (a, b) in triangles.iter().flat_map(|&t| edges(t)) {
+        let before = &ends[first[a as usize]..filled[a as usize]];
+        if before.contains(&b) {
+            return invalid(format!("two triangles lie on the same side of edge {:?}", (a, b)));
         }
+        ends[filled[a as usize]] = b;
+        filled[a as usize] += 1;
     }
-    let boundary: Vec<_> = all.iter().copied().filter(|&(a, b)| !all.contains(&(b, a))).collect();
+    let ends_of = |k: u32| &ends[first[k as usize]..first[k as usize + 1]];
+    let boundary: Vec<_> =
+        triangles.iter().flat_map(|&t| edges(t)).filter(|&(a, b)| !ends_of(b).contains(&a)).collect();
     let next: BTreeMap<_, _> = boundary.iter().copied().collect();
     if next.len() == boundary.len() { Ok(next) } else { invalid("its boundary touches itself at a node".to_string()) }
 }

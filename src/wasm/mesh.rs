@@ -4,10 +4,12 @@ use super::error::Failure;
 use super::memory;
 use super::options::{self, FrameOptions};
 use super::points;
+use super::progress::Progress;
 use super::riemann::RiemannMap;
-use super::warp::{self};
-use crate::mesh::{self, Density, MeshOptions, Route};
+use super::warp;
+use crate::mesh::{self, Density, MeshOptions, MeshStop, Route};
 use crate::warp::Direction;
+use js_sys::Function;
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -37,6 +39,10 @@ pub struct SamplingOptions {
     /// triangle of the second region around each.
     #[tsify(optional)]
     pub route: Route,
+    /// Told the stage and the fraction of it that is done; `false` cancels, and the call throws "cancelled".
+    #[serde(deserialize_with = "options::object")]
+    #[tsify(optional, type = "(stage: string, fraction: number) => boolean | void")]
+    pub on_progress: Option<Function>,
 }
 
 impl TryFrom<SamplingOptions> for Density {
@@ -54,9 +60,9 @@ impl TryFrom<SamplingOptions> for Density {
 }
 
 impl SamplingOptions {
-    fn into_mesh_options(self) -> Result<MeshOptions, Failure> {
-        let route = self.route;
-        Ok(MeshOptions { density: self.try_into()?, route })
+    fn into_mesh_options(mut self) -> Result<(MeshOptions, Progress), Failure> {
+        let (route, progress) = (self.route, Progress::new(self.on_progress.take()));
+        Ok((MeshOptions { density: self.try_into()?, route }, progress))
     }
 }
 
@@ -72,29 +78,40 @@ const USUAL: Direction = Direction::PushForward;
 impl JointTriangulation {
     /// Region → disk: the nodes of the region and their images under its Riemann map.
     ///
-    /// Throws "invalid-option", or "crowded" where double precision cannot keep nodes apart.
+    /// Throws "invalid-option", "cancelled", or "crowded" where double precision cannot keep nodes apart. `evidence.stop` says
+    /// whether the mesh is as near to the map as asked; `RegionMap` and `RiemannMap` warp without a mesh where it is not.
     #[wasm_bindgen(js_name = regionToDisk)]
     pub fn region_to_disk(
         map: &RiemannMap,
         #[wasm_bindgen(unchecked_param_type = "MeshOptions")] options: Ts<SamplingOptions>,
     ) -> Result<Self, Failure> {
-        let options = options::read(&options)?.into_mesh_options()?;
+        let (options, mut progress) = options::read(&options)?.into_mesh_options()?;
         memory::reserve(0);
-        Ok(Self(mesh::JointTriangulation::region_to_disk(map.inner(), &options)?))
+        let made = mesh::JointTriangulation::region_to_disk_with(map.inner(), &options, &mut |stage, fraction| {
+            progress.report(stage, fraction)
+        });
+        progress.finish(made).map(Self)
     }
 
     /// Region → region through the disk: center to center, `toward` to `toward`, outline to outline.
     ///
-    /// Throws "invalid-option", or "crowded" where double precision cannot keep nodes apart.
+    /// Throws "invalid-option", "cancelled", or "crowded" where double precision cannot keep nodes apart. `evidence.stop` says
+    /// whether the mesh is as near to the map as asked; `RegionMap` and `RiemannMap` warp without a mesh where it is not.
     #[wasm_bindgen(js_name = regionToRegion)]
     pub fn region_to_region(
         from: &RiemannMap,
         to: &RiemannMap,
         #[wasm_bindgen(unchecked_param_type = "MeshOptions")] options: Ts<SamplingOptions>,
     ) -> Result<Self, Failure> {
-        let options = options::read(&options)?.into_mesh_options()?;
+        let (options, mut progress) = options::read(&options)?.into_mesh_options()?;
         memory::reserve(0);
-        Ok(Self(mesh::JointTriangulation::region_to_region(from.inner(), to.inner(), &options)?))
+        let made = mesh::JointTriangulation::region_to_region_with(
+            from.inner(),
+            to.inner(),
+            &options,
+            &mut |stage, fraction| progress.report(stage, fraction),
+        );
+        progress.finish(made).map(Self)
     }
 
     /// Target → source: the same triangles, the copies exchanged.
@@ -169,6 +186,7 @@ impl JointTriangulation {
             mended: found.mended,
             moved: found.moved,
             largest_error: found.largest_error,
+            stop: found.stop,
             largest_error_pixels: found.largest_error_pixels(),
             route_difference: found.route_difference,
             route_difference_pixels: found.route_difference_pixels(),
@@ -216,8 +234,12 @@ pub struct MeshEvidence {
     pub mended: usize,
     /// Boundary nodes moved along an outline because the maps crowd them together beyond double precision.
     pub moved: usize,
-    /// The largest distance between the map and its affine pieces, in plane units of the target.
+    /// The largest distance between the map and its affine pieces, in plane units of the target, in what was mended too; not
+    /// finite if the map has no value somewhere. Places so small that they show one colour of the source do not count.
     pub largest_error: f64,
+    /// Why there are no more nodes: "density" if it is as asked; "crowded" if the error is above the bound but double precision
+    /// has no room for more nodes; "max-nodes" if there are as many as there may be.
+    pub stop: MeshStop,
     /// The same in pixels of the frame, if one was given.
     #[tsify(optional)]
     pub largest_error_pixels: Option<f64>,

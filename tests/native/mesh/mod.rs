@@ -3,3 +3,4 @@
 mod disk;
 mod pairs;
 mod regions;
+mod shapes;
