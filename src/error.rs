@@ -137,6 +137,24 @@ pub enum Error {
         /// The error estimate that it exceeds.
         estimate: f64,
     },
+    /// A map so far off that it is none.
+    #[error(
+        "No trustworthy map of this region was found: the estimate of its error is {estimate:.1e}, the disk having radius 1. Allow more unknowns, or move the center away from the boundary."
+    )]
+    Inaccurate {
+        /// The error estimate.
+        estimate: f64,
+    },
+    /// A smooth curve that its points leave open.
+    #[error(
+        "{given} points do not determine the smooth curve; about {needed} would, closer together where it bends. If the outline has corners, take it as a polygon."
+    )]
+    TooFewPoints {
+        /// Points given.
+        given: usize,
+        /// Points that would do, about, spread as these are.
+        needed: usize,
+    },
     /// A formula that does not follow the grammar.
     #[error("The formula cannot be read at position {position}: expected {expected}, found {found}.")]
     Syntax {
@@ -205,6 +223,8 @@ impl Error {
             Self::Crowded { .. } => "crowded",
             Self::InvalidMesh { .. } => "invalid-mesh",
             Self::NegativeMass { .. } => "negative-mass",
+            Self::Inaccurate { .. } => "inaccurate",
+            Self::TooFewPoints { .. } => "too-few-points",
             Self::Syntax { .. } => "syntax",
             Self::FormulaTooLarge { .. } => "formula-too-large",
             Self::InvalidParameter { .. } => "invalid-parameter",

@@ -1,6 +1,7 @@
 //! The plane: complex points, frames (pixels ↔ plane), polygons and regions.
 
 mod edge_tree;
+pub(crate) mod fourier;
 mod frame;
 mod json_points;
 mod outline_text;
@@ -13,6 +14,7 @@ mod svg_path;
 pub use frame::Frame;
 pub use num_complex::Complex64;
 pub use outline_text::parse_outline;
+pub(crate) use polygon::ON_BOUNDARY;
 pub use polygon::{BoundaryPoint, Polygon};
 pub use region::{Curve, Region};
 pub use smooth_curve::SmoothCurve;

@@ -8,7 +8,9 @@ use robust::{Coord, orient2d};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon {
     vertices: Vec<Complex64>,
-    /// `vertices` × `unit`: within the unit square, so that predicates neither overflow nor underflow.
+    /// What the predicates are asked relative to: 0, or where the polygon is if that is far away.
+    origin: Complex64,
+    /// (`vertices` − `origin`) × `unit`: within the unit square, so that predicates neither overflow nor underflow.
     scaled: Vec<Complex64>,
     /// A power of two, so that scaling by it is exact.
     unit: f64,
@@ -37,12 +39,15 @@ impl Polygon {
         if let Some(index) = vertices.iter().position(|v| !v.is_finite()) {
             return Err(Error::NotFinite { what: format!("Boundary point {index}") });
         }
-        let unit = power_of_two_below(1.0 / vertices.iter().map(|v| v.re.abs().max(v.im.abs())).fold(0.0, f64::max));
+        let origin = origin_of(vertices);
+        let reach = |v: &Complex64| (v.re - origin.re).abs().max((v.im - origin.im).abs());
+        let unit = power_of_two_below(1.0 / vertices.iter().map(reach).fold(0.0, f64::max));
         let mut scaled: Vec<Complex64> = Vec::with_capacity(vertices.len());
         let mut kept: Vec<Complex64> = Vec::with_capacity(vertices.len());
         for &v in vertices {
-            if scaled.last().is_none_or(|&last| !same_point(last, v * unit)) {
-                scaled.push(v * unit);
+            let at = (v - origin) * unit;
+            if scaled.last().is_none_or(|&last| !same_point(last, at)) {
+                scaled.push(at);
                 kept.push(v);
             }
         }
@@ -55,14 +60,24 @@ impl Polygon {
         }
         let mut tree = EdgeTree::new(&scaled);
         if let Some((first, second, at)) = first_crossing(&scaled, &tree) {
-            return Err(Error::SelfIntersecting { first, second, at: at / unit });
+            return Err(Error::SelfIntersecting { first, second, at: at / unit + origin });
         }
         if signed_area(&scaled) < 0.0 {
             scaled[1..].reverse();
             kept[1..].reverse();
             tree = EdgeTree::new(&scaled);
         }
-        Ok(Self { vertices: kept, scaled, unit, tree })
+        Ok(Self { vertices: kept, origin, scaled, unit, tree })
+    }
+
+    /// The same polygon, `by` plane units away; that should be no farther from 0 than this one, so that nothing is rounded.
+    pub(crate) fn moved(&self, by: Complex64) -> Self {
+        Self { vertices: self.vertices.iter().map(|v| v + by).collect(), origin: self.origin + by, ..self.clone() }
+    }
+
+    /// What coordinates are best given relative to: 0, unless the polygon is small against its distance from there.
+    pub(crate) fn origin(&self) -> Complex64 {
+        self.origin
     }
 
     /// The vertices, counter-clockwise.
@@ -121,15 +136,28 @@ impl Polygon {
     /// The point of the boundary nearest to `z`.
     #[must_use]
     pub fn nearest(&self, z: Complex64) -> BoundaryPoint {
-        let z = z * self.unit;
+        let z = (z - self.origin) * self.unit;
         let (_, edge) = self.tree.nearest(z, f64::INFINITY, |k| (z - self.foot(z, k).1).norm_sqr());
-        let edge = edge.unwrap_or(0);
+        self.point_below(z, edge.unwrap_or(0))
+    }
+
+    /// The point of the boundary nearest to `z`, if it is nearer than `limit`.
+    #[must_use]
+    pub fn nearest_within(&self, z: Complex64, limit: f64) -> Option<BoundaryPoint> {
+        let z = (z - self.origin) * self.unit;
+        let bound = (limit * self.unit).powi(2);
+        let (_, edge) = self.tree.nearest(z, bound, |k| (z - self.foot(z, k).1).norm_sqr());
+        edge.map(|edge| self.point_below(z, edge))
+    }
+
+    /// The point of an edge nearest to `z` (scaled).
+    fn point_below(&self, z: Complex64, edge: usize) -> BoundaryPoint {
         let (t, foot) = self.foot(z, edge);
         if t == 1.0 {
             let edge = (edge + 1) % self.len();
             return BoundaryPoint { edge, t: 0.0, point: self.vertices[edge] };
         }
-        BoundaryPoint { edge, t, point: if t == 0.0 { self.vertices[edge] } else { foot / self.unit } }
+        BoundaryPoint { edge, t, point: if t == 0.0 { self.vertices[edge] } else { foot / self.unit + self.origin } }
     }
 
     /// Distance from vertex `k` to the nearest edge that does not end there, or the shorter edge that does if that is less.
@@ -157,7 +185,7 @@ impl Polygon {
 
     /// The side of the boundary that `z` is on, by the crossing number; `None` for a point that is not finite.
     fn side(&self, z: Complex64) -> Option<Side> {
-        let z = z * self.unit;
+        let z = (z - self.origin) * self.unit;
         if !z.is_finite() {
             return None;
         }
@@ -194,6 +222,25 @@ fn coord(z: Complex64) -> Coord<f64> {
 /// The largest power of two that is at most `x` (1 where `x` is not a positive finite number).
 fn power_of_two_below(x: f64) -> f64 {
     if x.is_normal() && x > 0.0 { f64::from_bits(x.to_bits() & 0x7ff0_0000_0000_0000) } else { 1.0 }
+}
+
+/// In units of the region's size, or of its distance from 0 if that is larger: nearer to the boundary than this is on it.
+pub(crate) const ON_BOUNDARY: f64 = 4.0 * f64::EPSILON;
+/// A polygon farther from 0 than this many times its size is looked at from its middle.
+const FAR: f64 = 4.0;
+
+/// What coordinates of points are best given relative to: in each coordinate 0, unless all points are far from it; then
+/// differences are exact.
+pub(super) fn origin_of(points: &[Complex64]) -> Complex64 {
+    let middle = |coordinate: fn(&Complex64) -> f64| {
+        let (low, high) = points
+            .iter()
+            .map(coordinate)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (x.min(low), x.max(high)));
+        let middle = 0.5 * low + 0.5 * high;
+        if middle.abs() > FAR * (high - low) { middle } else { 0.0 }
+    };
+    Complex64::new(middle(|z| z.re), middle(|z| z.im))
 }
 
 /// Equal up to rounding of coordinates of size 1.

@@ -1,5 +1,6 @@
 //! A simply connected region with the point and direction that make its Riemann map unique.
 
+use super::polygon::ON_BOUNDARY;
 use super::{BoundaryPoint, Complex64, Polygon, SmoothCurve};
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -24,6 +25,8 @@ pub struct Region {
     smooth: Option<Arc<SmoothCurve>>,
     center: Complex64,
     toward: BoundaryPoint,
+    /// Points as near to the boundary as this are on it, as far as numbers can tell.
+    thickness: f64,
 }
 
 impl Region {
@@ -46,21 +49,11 @@ impl Region {
             Curve::Smooth => Some(Arc::new(SmoothCurve::new(boundary)?)),
         };
         let polygon = Polygon::new(smooth.as_ref().map_or(boundary, |curve| curve.points()))?;
-        for (what, point) in [("The center", center), ("The point toward", toward)] {
-            if !point.is_finite() {
-                return Err(Error::NotFinite { what: what.to_string() });
-            }
-        }
-        let inside = match &smooth {
-            None => polygon.contains_strictly(center),
-            Some(curve) => curve.signed_distance(center) > 1e-12 * polygon.size(),
-        };
-        if !inside {
-            return Err(Error::CenterOutside { center });
-        }
-        let mut region = Self { polygon, smooth, center, toward: BoundaryPoint { edge: 0, t: 0.0, point: center } };
-        region.toward = region.nearest(toward);
-        Ok(region)
+        let (low, high) = polygon.bounds();
+        let reach = [low.re, low.im, high.re, high.im].into_iter().map(f64::abs).fold(polygon.size(), f64::max);
+        let thickness = ON_BOUNDARY * reach * smooth.as_ref().map_or(1.0, |curve| curve.rounding());
+        let toward_0 = BoundaryPoint { edge: 0, t: 0.0, point: polygon.vertices()[0] };
+        Self { polygon, smooth, center, toward: toward_0, thickness }.with_center(center, toward)
     }
 
     /// The same boundary with another center and direction.
@@ -68,7 +61,33 @@ impl Region {
     /// # Errors
     /// As [`Region::new`].
     pub fn with_center(&self, center: Complex64, toward: Complex64) -> Result<Self> {
-        Self::new(self.boundary(), self.curve(), center, toward)
+        for (what, point) in [("The center", center), ("The point toward", toward)] {
+            if !point.is_finite() {
+                return Err(Error::NotFinite { what: what.to_string() });
+            }
+        }
+        let inside = match &self.smooth {
+            None => self.polygon.contains_strictly(center),
+            Some(curve) => curve.signed_distance(center) > 1e-12 * self.polygon.size(),
+        };
+        if !inside {
+            return Err(Error::CenterOutside { center });
+        }
+        Ok(Self { center, toward: self.nearest(toward), ..self.clone() })
+    }
+
+    /// What coordinates should be given relative to, so that a region far from 0 keeps its digits; and the region there.
+    pub(crate) fn local(&self) -> (Complex64, Self) {
+        let origin = self.polygon.origin();
+        let toward = BoundaryPoint { point: self.toward.point - origin, ..self.toward };
+        let local = Self {
+            polygon: self.polygon.moved(-origin),
+            smooth: self.smooth.as_ref().map(|curve| Arc::new(curve.moved(-origin))),
+            center: self.center - origin,
+            toward,
+            thickness: self.thickness,
+        };
+        (origin, local)
     }
 
     /// The boundary points, counter-clockwise.
@@ -104,6 +123,15 @@ impl Region {
         }
     }
 
+    /// The boundary point that `z` is, up to rounding.
+    #[must_use]
+    pub fn on_boundary(&self, z: Complex64) -> Option<BoundaryPoint> {
+        match &self.smooth {
+            None => self.polygon.nearest_within(z, self.thickness),
+            Some(_) => Some(self.nearest(z)).filter(|place| (place.point - z).norm() <= self.thickness),
+        }
+    }
+
     /// The point that goes to 0.
     #[must_use]
     pub fn center(&self) -> Complex64 {
@@ -116,10 +144,13 @@ impl Region {
         self.toward
     }
 
-    /// Whether `z` lies in the closed region.
+    /// Whether `z` lies in the closed region, to which belongs what is on the boundary up to rounding.
     #[must_use]
     pub fn contains(&self, z: Complex64) -> bool {
-        self.smooth.as_ref().map_or_else(|| self.polygon.contains(z), |curve| curve.contains(z))
+        match &self.smooth {
+            None => self.polygon.contains(z) || self.polygon.nearest_within(z, self.thickness).is_some(),
+            Some(curve) => curve.signed_distance(z) >= -self.thickness,
+        }
     }
 }
 

@@ -1,24 +1,48 @@
 //! Smooth closed curves through given points, by trigonometric interpolation.
 
+use super::fourier::{sum_of_waves, transform};
+use super::polygon::{ON_BOUNDARY, origin_of};
 use super::{BoundaryPoint, Complex64, Polygon};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
 
-/// The closed curve z(t) = Σ cₖ e^{ikt}, |k| ≤ n/2, through n points at t = 2πj/n; counter-clockwise and simple.
+/// The closed curve z(t) = Σ cₖ e^{ikt}, |k| ≤ n/2, through n points at t = 2πj/n; counter-clockwise and simple. Waves that
+/// only rounding made are left out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SmoothCurve {
-    /// c₋ₘ … cₘ.
+    /// c₋ₘ … cₘ, of z − `origin`.
     coefficients: Vec<Complex64>,
     /// m.
     highest: i32,
+    origin: Complex64,
+    tail: Tail,
     /// The points it was made from.
     points: Vec<Complex64>,
     /// The curve finely sampled: where it roughly is.
     outline: Polygon,
 }
 
-/// Samples of the outline for each point given.
+/// What the spectrum says of waves that are too short for the points to show.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Tail {
+    /// Sum of their sizes, about.
+    size: f64,
+    /// By how much waves shrink over an eighth of the points.
+    ratio: f64,
+}
+
+/// Samples of the outline for each wave.
 const OVERSAMPLING: usize = 8;
+/// Fewest samples of the outline.
+const LEAST_SAMPLES: usize = 64;
+/// The sum of all waves that rounding makes of n points of size 1 is at most this times √n.
+const NOISE: f64 = 8.0 * f64::EPSILON;
+/// Waves that do not fall faster than this are those of a corner, whose sum goes on for long.
+const SLOWEST: f64 = 0.75;
+/// The sum of the waves beyond the last is at most this times what their fall predicts.
+const DOUBT: f64 = 2.0;
+/// A curve that the points leave open by more than this share of its size is not known well enough to cross itself.
+const UNKNOWN: f64 = 1e-5;
 
 impl SmoothCurve {
     /// The curve through `points`; they are put in counter-clockwise order, the first one first.
@@ -38,34 +62,85 @@ impl SmoothCurve {
         if points.len() < 3 {
             return Err(Error::TooFewVertices { found: points.len() });
         }
-        let mut curve = Self::through(points)?;
-        if curve.outline.vertices()[1] != curve.point(TAU / (OVERSAMPLING * curve.points.len()) as f64) {
-            // The outline came out reversed, so the points run clockwise.
-            curve.points[1..].reverse();
-            curve = Self::through(curve.points)?;
+        // The area that the points enclose, twice.
+        let origin = points[0];
+        let cross = |a: Complex64, b: Complex64| (a.conj() * b).im;
+        let area: f64 = points.windows(2).map(|pair| cross(pair[0] - origin, pair[1] - origin)).sum();
+        if area < 0.0 {
+            points[1..].reverse();
         }
-        Ok(curve)
+        Self::through(points)
     }
 
     fn through(points: Vec<Complex64>) -> Result<Self> {
         let n = points.len();
-        let highest = (n / 2) as i32;
-        let mut coefficients: Vec<Complex64> = (-highest..=highest).map(|k| fourier_coefficient(&points, k)).collect();
-        if n.is_multiple_of(2) {
-            // Shared between the two waves of the highest frequency, which look alike at the points.
-            let last = coefficients.len() - 1;
-            coefficients[0] *= 0.5;
-            coefficients[last] *= 0.5;
+        let origin = origin_of(&points);
+        let relative: Vec<Complex64> = points.iter().map(|z| z - origin).collect();
+        let size = relative.iter().map(|z| z.norm()).fold(0.0, f64::max);
+        let spectrum: Vec<Complex64> = transform(&relative).iter().map(|c| c / n as f64).collect();
+        // Of an even number, the two waves of the highest frequency look alike at the points, and share its coefficient.
+        let wave = |k: usize| {
+            let pair = [spectrum[(n - k) % n], spectrum[k % n]];
+            if 2 * k == n { pair.map(|c| c * 0.5) } else { pair }
+        };
+        let sizes: Vec<f64> = (0..=n / 2).map(|k| wave(k).iter().map(|c| c.norm()).sum()).collect();
+        let noise = NOISE * (n as f64).sqrt() * size;
+        let (mut highest, mut left_out) = (n / 2, 0.0);
+        while highest > 1 && left_out + sizes[highest] <= noise {
+            left_out += sizes[highest];
+            highest -= 1;
         }
-        let samples = OVERSAMPLING * n;
-        let at = |j: usize| evaluate(&coefficients, highest, TAU * j as f64 / samples as f64, 0);
-        let outline = Polygon::new(&(0..samples).map(at).collect::<Vec<_>>()).map_err(|error| match error {
+        // Every other wave of a symmetric curve may be absent.
+        let falls_to_noise = highest + sizes.len().div_ceil(4) <= n / 2;
+        let tail = if falls_to_noise { Tail { size: left_out, ratio: 0.0 } } else { Tail::of(&sizes) };
+        let waves = (1..=highest).rev().map(|k| wave(k)[0]).chain((0..=highest).map(|k| wave(k)[1]));
+        let coefficients: Vec<Complex64> = waves.collect();
+        let outline = outline_of(&coefficients, origin).map_err(|error| match error {
+            Error::SelfIntersecting { .. } if tail.size > UNKNOWN * size && Polygon::new(&points).is_ok() => {
+                Error::TooFewPoints { given: n, needed: tail.points_for(UNKNOWN * size, n) }
+            }
             Error::SelfIntersecting { first, second, at } => {
-                Error::SelfIntersecting { first: first / OVERSAMPLING, second: second / OVERSAMPLING, at }
+                let edge = |sample: usize| sample * n / samples_for(highest);
+                Error::SelfIntersecting { first: edge(first), second: edge(second), at }
             }
             other => other,
         })?;
-        Ok(Self { coefficients, highest, points, outline })
+        Ok(Self { coefficients, highest: highest as i32, origin, tail, points, outline })
+    }
+
+    /// The same curve, `by` plane units away; that should be no farther from 0 than this one.
+    pub(crate) fn moved(&self, by: Complex64) -> Self {
+        Self {
+            origin: self.origin + by,
+            points: self.points.iter().map(|z| z + by).collect(),
+            outline: self.outline.moved(by),
+            ..self.clone()
+        }
+    }
+
+    /// By how much more than other points of its size a point of the curve is rounded, with what the waves lack that were
+    /// left out.
+    pub(crate) fn rounding(&self) -> f64 {
+        1.0 + NOISE / ON_BOUNDARY * (self.points.len() as f64).sqrt()
+    }
+
+    /// Estimate of how far the curve is from the one that its points were taken from, which interpolation cannot know: from
+    /// the fall of its waves.
+    #[must_use]
+    pub fn uncertainty(&self) -> f64 {
+        self.tail.size
+    }
+
+    /// So many points, spread as these are, would make [`SmoothCurve::uncertainty`] as small as `uncertainty`, about.
+    #[must_use]
+    pub fn points_for(&self, uncertainty: f64) -> usize {
+        self.tail.points_for(uncertainty, self.points.len())
+    }
+
+    /// The number m of the shortest waves: z(t) is a sum of e^{ikt} with |k| ≤ m.
+    #[must_use]
+    pub fn waves(&self) -> usize {
+        self.highest as usize
     }
 
     /// The points it was made from, counter-clockwise.
@@ -83,7 +158,7 @@ impl SmoothCurve {
     /// z(t).
     #[must_use]
     pub fn point(&self, t: f64) -> Complex64 {
-        evaluate(&self.coefficients, self.highest, t, 0)
+        self.origin + evaluate(&self.coefficients, self.highest, t, 0)
     }
 
     /// z'(t).
@@ -130,12 +205,6 @@ impl SmoothCurve {
         t.rem_euclid(TAU)
     }
 
-    /// Whether `z` lies inside or on the curve.
-    #[must_use]
-    pub fn contains(&self, z: Complex64) -> bool {
-        self.signed_distance(z) >= -1e-15 * self.outline.size()
-    }
-
     /// Distance from the curve, positive inside, as precise as rounding allows near it.
     #[must_use]
     pub fn signed_distance(&self, z: Complex64) -> f64 {
@@ -146,7 +215,7 @@ impl SmoothCurve {
         let (gap, tangent) = (z - self.point(t), self.tangent(t));
         let across = (gap * tangent.conj()).im / tangent.norm();
         // Far from the curve the sampled outline decides, whatever Newton's method found.
-        let inside = if across.abs() < 0.1 * self.outline.size() / self.points.len() as f64 {
+        let inside = if across.abs() < 0.8 * self.outline.size() / self.outline.len() as f64 {
             across >= 0.0
         } else {
             self.outline.contains(z)
@@ -155,11 +224,39 @@ impl SmoothCurve {
     }
 }
 
-/// (1/n) Σ z_j e^{−2πijk/n}.
-fn fourier_coefficient(points: &[Complex64], k: i32) -> Complex64 {
-    let n = points.len() as i64;
-    let wave = |j: usize| Complex64::cis(-TAU * (i64::from(k) * j as i64).rem_euclid(n) as f64 / n as f64);
-    points.iter().enumerate().map(|(j, z)| z * wave(j)).sum::<Complex64>() / n as f64
+impl Tail {
+    /// From the sizes of all waves that the points show, longest first.
+    fn of(sizes: &[f64]) -> Self {
+        let (m, eighth) = (sizes.len() - 1, sizes.len().div_ceil(4));
+        let sum = |part: &[f64]| part.iter().sum::<f64>();
+        let last = sum(&sizes[m + 1 - eighth..]);
+        let before = sum(&sizes[(m + 1).saturating_sub(2 * eighth).max(1)..m + 1 - eighth]);
+        // Of few waves some may be absent by chance.
+        let ratio = (last / before).clamp((1.0 / m as f64).min(SLOWEST), SLOWEST);
+        Self { size: DOUBT * last * ratio / (1.0 - ratio), ratio }
+    }
+
+    /// How many points would leave a tail of `size`, of which there are `n`.
+    fn points_for(self, size: f64, n: usize) -> usize {
+        let eighths = if self.size > size { (size / self.size).ln() / self.ratio.ln() } else { 0.0 };
+        (n as f64 * (1.0 + eighths / 4.0)).ceil() as usize
+    }
+}
+
+/// How finely a curve of waves up to `highest` is sampled: a power of two.
+fn samples_for(highest: usize) -> usize {
+    (OVERSAMPLING * (2 * highest + 1)).max(LEAST_SAMPLES).next_power_of_two()
+}
+
+/// The curve with the coefficients c₋ₘ … cₘ, finely sampled.
+fn outline_of(coefficients: &[Complex64], origin: Complex64) -> Result<Polygon> {
+    let highest = coefficients.len() / 2;
+    let samples = samples_for(highest);
+    let mut spectrum = vec![Complex64::ZERO; samples];
+    for (index, c) in coefficients.iter().enumerate() {
+        spectrum[(samples + index - highest) % samples] = *c;
+    }
+    Polygon::new(&sum_of_waves(&spectrum).iter().map(|z| origin + z).collect::<Vec<_>>())
 }
 
 /// The derivative of the given order of Σ cₖ e^{ikt}, by Horner's rule in e^{it}.
@@ -211,8 +308,11 @@ mod tests {
                 assert!((curve.signed_distance(z - normal * depth) + depth).abs() < 1e-14 + 1e-9 * depth);
             }
         }
-        assert!(!curve.contains(Complex64::new(30.0, 1.0)) && curve.contains(Complex64::ZERO));
-        assert!(!curve.contains(Complex64::new(f64::NAN, 0.0)));
+        for (z, inside) in
+            [(Complex64::new(30.0, 1.0), false), (Complex64::ZERO, true), (Complex64::new(f64::NAN, 0.0), false)]
+        {
+            assert_eq!(curve.signed_distance(z) > 0.0, inside);
+        }
     }
 
     #[test]

@@ -46,6 +46,9 @@ pub enum Stop {
     MaxUnknowns,
     /// The panels of an earlier solve were to be kept, and are too coarse for this center.
     SamePanels,
+    /// A smooth curve is not determined to the tolerance by the points that it goes through: more of them are needed, or the
+    /// outline has corners.
+    TooFewPoints,
     /// Refining no longer helped: rounding, or a region at the limit of double precision.
     Stagnation,
 }

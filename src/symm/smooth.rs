@@ -7,6 +7,7 @@
 use super::lu::Lu;
 use super::options::{Progress, SolveOptions, Stop};
 use super::solution::ERROR_PER_RESIDUAL;
+use crate::plane::fourier::transform;
 use crate::plane::{Complex64, SmoothCurve};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
@@ -44,6 +45,8 @@ pub struct SmoothSolution {
     slopes: Vec<Complex64>,
     /// Largest violation of the equation halfway between the nodes, or |c| if that is larger.
     pub residual: f64,
+    /// What of the error the curve has from its points.
+    curve_error: f64,
     /// Estimate of the largest error of the map.
     pub error_estimate: f64,
     /// Why the solve ended.
@@ -52,6 +55,10 @@ pub struct SmoothSolution {
 
 /// What rounding leaves, per node: differences of nearby nodes are only known to that.
 const ROUNDING_PER_NODE: f64 = 2e-16;
+/// Maps with estimates above this are none.
+pub(super) const WORST_ESTIMATE: f64 = 1.0;
+/// What points should be enough for that leave a curve open.
+const USEFUL_ESTIMATE: f64 = 1e-3;
 /// Fewest nodes.
 const LEAST_NODES: usize = 64;
 /// Most nodes: a dense factorisation of this size takes seconds.
@@ -60,7 +67,8 @@ const MOST_NODES: usize = 4096;
 /// Solves for `center` (plane units), doubling the nodes until the estimate meets the tolerance.
 ///
 /// # Errors
-/// [`Error::InvalidOption`], [`Error::Cancelled`], and [`Error::NegativeMass`] if even the most nodes allowed do not resolve the curve.
+/// [`Error::InvalidOption`], [`Error::Cancelled`]; [`Error::NegativeMass`] or [`Error::Inaccurate`] if even the most nodes
+/// allowed do not resolve the curve, [`Error::TooFewPoints`] if its points leave it open.
 pub fn solve_smooth(
     curve: &Arc<SmoothCurve>,
     center: Complex64,
@@ -68,15 +76,16 @@ pub fn solve_smooth(
     progress: Progress,
 ) -> Result<SmoothSolution> {
     options.validate()?;
-    let given = curve.points().len();
-    let mut nodes = given * LEAST_NODES.div_ceil(given);
     let most = options.max_unknowns.min(MOST_NODES);
+    let mut nodes = (2 * curve.waves() + 2).clamp(LEAST_NODES, most.max(LEAST_NODES));
     let mut previous = f64::INFINITY;
     loop {
         let system = Arc::new(SmoothSystem::new(Arc::clone(curve), nodes, progress)?);
         let mut solution = system.solve(center, options.tolerance);
         solution.stop = if solution.error_estimate <= options.tolerance {
             Stop::Tolerance
+        } else if !solution.needs_nodes(options.tolerance) {
+            Stop::TooFewPoints
         } else if solution.residual > 0.5 * previous && solution.residual < 1e-10 {
             Stop::Stagnation
         } else if 2 * nodes > most {
@@ -86,11 +95,7 @@ pub fn solve_smooth(
             nodes *= 2;
             continue;
         };
-        let density = solution.smallest_density();
-        if density < -solution.error_estimate || !solution.residual.is_finite() {
-            return Err(Error::NegativeMass { mass: density, estimate: solution.error_estimate });
-        }
-        return Ok(solution);
+        return solution.checked();
     }
 }
 
@@ -144,8 +149,12 @@ impl SmoothSystem {
         let residual = misses
             .map(|(z, row)| (super::lu::dot(row, &x) + c - (z - center).norm().ln()).abs())
             .fold(c.abs(), |worst, r| if r > worst || r.is_nan() { r } else { worst });
-        let error_estimate = ERROR_PER_RESIDUAL * residual + ROUNDING_PER_NODE * n as f64;
-        let waves = (1..n.div_ceil(2)).map(|k| wave(&x, k)).collect();
+        // The boundary moved by δ moves its image by |f'| δ = 2π (dμ/dt)/|z'| δ.
+        let slopes = x.iter().zip(&self.tangents).map(|(mass, tangent)| mass.abs() * n as f64 / tangent.norm());
+        let curve_error = self.curve.uncertainty() * self.unit * slopes.fold(0.0, f64::max);
+        let error_estimate = ERROR_PER_RESIDUAL * residual + ROUNDING_PER_NODE * n as f64 + curve_error;
+        let masses: Vec<Complex64> = x.iter().map(|mass| Complex64::from(*mass)).collect();
+        let waves = transform(&masses)[1..n.div_ceil(2)].to_vec();
         let mut solution = SmoothSolution {
             system: Arc::clone(self),
             center,
@@ -153,6 +162,7 @@ impl SmoothSystem {
             values: Vec::new(),
             slopes: Vec::new(),
             residual,
+            curve_error,
             error_estimate,
             stop: if error_estimate <= tolerance { Stop::Tolerance } else { Stop::SamePanels },
         };
@@ -166,6 +176,35 @@ impl SmoothSystem {
 }
 
 impl SmoothSolution {
+    /// Whether more nodes would make it better: the estimate misses the tolerance, and not because of the curve's points.
+    #[must_use]
+    pub fn needs_nodes(&self, tolerance: f64) -> bool {
+        let estimate = self.error_estimate - self.curve_error;
+        estimate.is_nan() || estimate > tolerance
+    }
+
+    /// The solution, unless it shows that it is none.
+    ///
+    /// # Errors
+    /// [`Error::NegativeMass`], [`Error::Inaccurate`], [`Error::TooFewPoints`].
+    pub fn checked(self) -> Result<Self> {
+        let estimate = self.error_estimate;
+        let useless = estimate.is_nan() || estimate > WORST_ESTIMATE;
+        if useless && self.curve_error > 0.5 * estimate {
+            let (given, curve) = (self.curve().points().len(), self.curve());
+            let needed = curve.points_for(curve.uncertainty() * USEFUL_ESTIMATE / self.curve_error);
+            return Err(Error::TooFewPoints { given, needed });
+        }
+        let density = self.smallest_density();
+        if density < -estimate || !self.residual.is_finite() {
+            return Err(Error::NegativeMass { mass: density, estimate });
+        }
+        if useless {
+            return Err(Error::Inaccurate { estimate });
+        }
+        Ok(self)
+    }
+
     /// The curve.
     #[must_use]
     pub fn curve(&self) -> &SmoothCurve {
@@ -243,6 +282,13 @@ impl SmoothSolution {
         log.exp() / self.system.unit
     }
 
+    /// The image of z(t) on the circle, and the derivative of the map there in plane units.
+    #[must_use]
+    pub fn on_circle(&self, t: f64) -> (Complex64, Complex64) {
+        let w = Complex64::cis(TAU * self.measure(t));
+        (w, Complex64::i() * w * (TAU * self.density(t)) / self.curve().tangent(t))
+    }
+
     /// Region → disk with vertex 0 ↦ 1, and its derivative in plane units, for a point strictly inside.
     ///
     /// Cauchy's formula divided by the same formula for 1: ∑ f_j z'_j/(z_j − z) / ∑ z'_j/(z_j − z). What the trapezoidal
@@ -283,12 +329,6 @@ fn cauchy(nodes: &[Complex64], tangents: &[Complex64], values: &[Complex64], z: 
 /// |2 sin| of half the parameter between two points that are `half_steps` half steps apart.
 fn chord(half_steps: usize, n: usize) -> f64 {
     2.0 * (0.25 * TAU * half_steps as f64 / n as f64).sin().abs()
-}
-
-/// (1/N)·Σ over nodes of a wave: σₖ = Σ_j m_j e^{−ikt_j} for masses m.
-fn wave(masses: &[f64], k: usize) -> Complex64 {
-    let n = masses.len();
-    masses.iter().enumerate().map(|(j, mass)| Complex64::cis(-TAU * (j * k % n) as f64 / n as f64) * *mass).sum()
 }
 
 /// How masses at the nodes act through log|2 sin((t−s)/2)|, by the distance in half steps: the waves e^{ikt} are

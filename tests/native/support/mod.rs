@@ -51,6 +51,11 @@ pub fn case(name: &str) -> Case {
     serde_json::from_str(&std::fs::read_to_string(fixture(&format!("{name}.json"))).unwrap()).unwrap()
 }
 
+/// A file of `tests/fixtures/faults`: an input that went wrong once, with the right answer.
+pub fn fault(name: &str) -> serde_json::Value {
+    serde_json::from_str(&std::fs::read_to_string(fixture(&format!("faults/{name}.json"))).unwrap()).unwrap()
+}
+
 impl Case {
     pub fn region(&self) -> Region {
         Region::new(&points(&self.vertices), Curve::Polygon, complex(self.center), complex(self.toward)).unwrap()
