@@ -37,11 +37,8 @@ export async function assemble(generated, module, folder, part) {
     write(`inline.d.${kind}`, `export * from "${from}";\nexport { default } from "${from}";\n`);
     write(`wasm.d.${kind}`, `/** The module's address, as bundlers hand it out. */\ndeclare const address: string;\nexport default address;\n`);
   }
-  for (const [to, index] of [["pool.d.ts", "./index.js"], ["pool.d.cts", "./index.cjs"]]) {
-    write(to, source("pool-types.d.ts").replace('"conformal-warp"', `"${index}"`));
-  }
   write("conformal_warp.d.ts", internalTypes(Object.keys(calls)));
-  await toCommonJs(folder, ["index", "inline", "pool"]);
+  await toCommonJs(folder, ["index", "inline"]);
 }
 
 /**

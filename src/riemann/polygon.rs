@@ -1,20 +1,27 @@
 //! A solved polygon: Symm's equation on panels, evaluated through the atlas.
 
 use super::atlas::{DiskPoint, Expansions, Position};
-use super::rounding::ON_BOUNDARY;
+use super::rounding::onto_disk;
 use super::solved_region::SolvedRegion;
-use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64, Region};
 use crate::symm::center::move_center;
 use crate::symm::options::{Progress, SolveOptions, Stop};
 use crate::symm::solution::Solution;
-use crate::symm::solve::solve;
+use crate::symm::solve::{solve, solve_again};
+use crate::{Error, Result};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
+
+/// Maps with estimates above this are none.
+const WORST_ESTIMATE: f64 = 1.0;
+/// In units of the region's size: what is beside the boundary.
+const BESIDE: f64 = 1e-14;
 
 /// A polygon's solution, and the expansions that are built when many points are asked for.
 #[derive(Debug)]
 pub(super) struct SolvedPolygon {
+    /// Where `region` has its 0.
+    origin: Complex64,
     region: Region,
     solution: Solution,
     options: SolveOptions,
@@ -26,13 +33,19 @@ impl SolvedPolygon {
     /// Solves Symm's equation for a polygon.
     ///
     /// # Errors
-    /// As [`solve`].
+    /// As [`solve`], and [`Error::Inaccurate`].
     pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Result<Self> {
-        Ok(Self::new(region, solve(region, options, progress)?, options))
+        let (origin, region) = region.local();
+        let solution = solve(&region, options, progress)?;
+        Self::new(origin, region, solution, options)
     }
 
-    fn new(region: &Region, solution: Solution, options: &SolveOptions) -> Self {
-        Self { region: region.clone(), solution, options: options.clone(), expansions: OnceLock::new() }
+    fn new(origin: Complex64, region: Region, solution: Solution, options: &SolveOptions) -> Result<Self> {
+        let estimate = solution.error_estimate;
+        if estimate.is_nan() || estimate > WORST_ESTIMATE {
+            return Err(Error::Inaccurate { estimate });
+        }
+        Ok(Self { origin, region, solution, options: options.clone(), expansions: OnceLock::new() })
     }
 
     /// Plane units × unit = scaled units.
@@ -43,6 +56,39 @@ impl SolvedPolygon {
     #[inline]
     fn expansions(&self) -> &Expansions {
         self.expansions.get_or_init(|| Expansions::new(&self.solution, &self.options))
+    }
+
+    /// Plane units → scaled units.
+    #[inline]
+    fn scaled(&self, z: Complex64) -> Complex64 {
+        (z - self.origin) * self.unit()
+    }
+
+    /// Scaled units → plane units.
+    #[inline]
+    fn plane(&self, z: Complex64) -> Complex64 {
+        z / self.unit() + self.origin
+    }
+
+    /// The derivative (scaled units) a little inside of a point of the boundary.
+    #[cold]
+    fn slope_beside(&self, z: Complex64) -> Complex64 {
+        let polygon = self.region.polygon();
+        let place = polygon.nearest(z - self.origin);
+        let (a, b) = polygon.edge(place.edge);
+        let inwards = Complex64::i() * (b - a) / (b - a).norm();
+        let beside = place.point + inwards * (BESIDE * polygon.size());
+        let found = self.expansions().to_disk_with_slope(beside * self.unit());
+        found.map_or(Complex64::new(f64::NAN, f64::NAN), |(_, slope)| slope)
+    }
+
+    /// The image of a point that expansions take to lie outside: on the circle, if rounding put it there.
+    #[cold]
+    fn on_circle(&self, z: Complex64) -> Option<DiskPoint> {
+        let place = self.region.on_boundary(z - self.origin)?;
+        let known = self.expansions().to_disk(place.point * self.unit());
+        let point = known.unwrap_or_else(|| DiskPoint::flat(Complex64::cis(TAU * self.measure_at(place))));
+        Some(point.onto_circle())
     }
 }
 
@@ -74,8 +120,18 @@ impl SolvedRegion for SolvedPolygon {
         options: &SolveOptions,
         progress: Progress,
     ) -> Result<Arc<dyn SolvedRegion>> {
-        let solution = move_center(&self.solution, center, options, progress)?;
-        Ok(Arc::new(Self::new(&self.region, solution, options)))
+        let center = center - self.origin;
+        let solution = match move_center(&self.solution, center, options, progress) {
+            Ok(moved) if moved.error_estimate <= options.tolerance => moved,
+            Err(Error::Cancelled) => return Err(Error::Cancelled),
+            // The panels are too coarse for this center.
+            moved => match (moved, solve_again(&self.solution, center, options, progress)) {
+                (Ok(moved), Ok(again)) if moved.error_estimate < again.error_estimate => moved,
+                (_, again) => again?,
+            },
+        };
+        let region = self.region.with_center(center, self.region.toward().point)?;
+        Ok(Arc::new(Self::new(self.origin, region, solution, options)?))
     }
 
     fn vertex_measures(&self) -> Vec<f64> {
@@ -91,39 +147,40 @@ impl SolvedRegion for SolvedPolygon {
         let polygon = self.region.polygon();
         let (a, b) = polygon.edge(edge);
         if t < 1.0 {
-            BoundaryPoint { edge, t, point: a + (b - a) * t }
+            BoundaryPoint { edge, t, point: a + (b - a) * t + self.origin }
         } else {
-            BoundaryPoint { edge: (edge + 1) % polygon.len(), t: 0.0, point: b }
+            BoundaryPoint { edge: (edge + 1) % polygon.len(), t: 0.0, point: b + self.origin }
         }
     }
 
     fn to_disk(&self, z: Complex64) -> Option<DiskPoint> {
-        self.expansions().to_disk(z * self.unit())
+        let point = self.expansions().to_disk(self.scaled(z)).or_else(|| self.on_circle(z))?;
+        Some(point.map(onto_disk))
     }
 
     fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
-        let (point, slope) = self.expansions().to_disk_with_slope(z * self.unit())?;
-        Some((point, slope * self.unit()))
+        let (point, slope) = match self.expansions().to_disk_with_slope(self.scaled(z)) {
+            Some(found) => found,
+            None => (self.on_circle(z)?, self.slope_beside(z)),
+        };
+        Some((point.map(onto_disk), slope * self.unit()))
     }
 
     fn to_disk_directly(&self, z: Complex64) -> Option<Complex64> {
-        if !self.region.contains(z) {
-            return None;
+        let z = z - self.origin;
+        if let Some(place) = self.region.on_boundary(z) {
+            return Some(onto_disk(Complex64::cis(TAU * self.measure_at(place))));
         }
-        let nearest = self.region.nearest(z);
-        if (nearest.point - z).norm() < ON_BOUNDARY * self.region.polygon().size() {
-            return Some(Complex64::cis(TAU * self.measure_at(nearest)));
-        }
-        Some(self.solution.to_disk(nearest, z))
+        self.region.contains(z).then(|| onto_disk(self.solution.to_disk(self.region.nearest(z), z)))
     }
 
     fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
-        self.expansions().from_disk(point).map(|z| z / self.unit())
+        self.expansions().from_disk(point).map(|z| self.plane(z))
     }
 
     fn from_disk_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)> {
         let (z, slope) = self.expansions().from_disk_with_slope(point)?;
-        Some((z / self.unit(), slope / self.unit()))
+        Some((self.plane(z), slope / self.unit()))
     }
 
     fn flat(&self, point: DiskPoint) -> Complex64 {
@@ -138,8 +195,8 @@ impl SolvedRegion for SolvedPolygon {
         self.expansions().positions()
     }
 
-    fn prepare(&self) {
-        self.expansions().prepare();
+    fn prepare(&self, progress: Progress) -> Result<()> {
+        self.expansions().prepare(progress)
     }
 
     fn bytes(&self) -> usize {

@@ -2,6 +2,7 @@
 
 use super::atlas::{Compass, DiskPoint, Position};
 use super::polygon::SolvedPolygon;
+use super::rounding::onto_disk;
 use super::smooth::SolvedCurve;
 use super::solved_region::SolvedRegion;
 use crate::Result;
@@ -37,8 +38,6 @@ pub struct RiemannMap {
     angles: Vec<f64>,
 }
 
-/// Points × unknowns up to which summing directly costs less than building an evaluator (a fraction of a second).
-const DIRECT_WORK: usize = 5_000_000;
 const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 
 impl RiemannMap {
@@ -48,16 +47,16 @@ impl RiemannMap {
     /// [`Error::InvalidOption`](crate::Error::InvalidOption), [`Error::Cancelled`](crate::Error::Cancelled), and
     /// [`Error::NegativeMass`](crate::Error::NegativeMass) if no trustworthy map was found.
     pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Result<Self> {
-        let solved: Arc<dyn SolvedRegion> = match region.smooth() {
-            Some(curve) => Arc::new(SolvedCurve::solve(region, curve, options, progress)?),
+        let solved: Arc<dyn SolvedRegion> = match SolvedCurve::solve(region, options, progress)? {
+            Some(curve) => Arc::new(curve),
             None => Arc::new(SolvedPolygon::solve(region, options, progress)?),
         };
         Ok(Self::new(region.clone(), options, solved))
     }
 
-    /// The map of the same region for another center and direction, from what was solved before: nothing is assembled or
-    /// factored, and moving only `toward` is a rotation. [`RiemannMap::error_estimate`] says how well the old panels serve
-    /// the new center; a center much nearer to the boundary deserves a solve of its own.
+    /// The map of the same region for another center and direction, from what was solved before: moving only `toward` is a
+    /// rotation, and where the old panels serve the new center within the tolerance nothing is assembled or factored. They
+    /// are refined where they do not, as for a center much nearer to the boundary.
     ///
     /// # Errors
     /// As [`RiemannMap::solve`] and [`Region::new`].
@@ -113,15 +112,12 @@ impl RiemannMap {
 
     /// Region → disk. NaN outside the closed region; boundary points go to the circle.
     ///
-    /// Accurate to the solve everywhere, up to the walls. The first call for many points builds an evaluator
-    /// (see [`RiemannMap::evaluator_bytes`]); from then on a million points take a fraction of a second.
+    /// Accurate to the solve everywhere, up to the walls. The first call builds an evaluator (see [`RiemannMap::prepare`]);
+    /// from then on a million points take a fraction of a second. A point's image depends on nothing but the point.
     #[must_use]
     pub fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
-        if self.solved.bytes() == 0 && points.len().saturating_mul(self.unknowns()) <= DIRECT_WORK {
-            return self.to_disk_directly(points);
-        }
         let (solved, turn) = (self.solved(), self.turn());
-        points.iter().map(|&z| solved.to_disk(z).map_or(NOWHERE, |p| turn * solved.flat(p))).collect()
+        points.iter().map(|&z| solved.to_disk(z).map_or(NOWHERE, |p| onto_disk(turn * solved.flat(p)))).collect()
     }
 
     /// Disk → region, the inverse of [`RiemannMap::to_disk`]. NaN outside the closed disk; the circle goes to the boundary.
@@ -180,9 +176,12 @@ impl RiemannMap {
         self.solved.positions().len()
     }
 
-    /// Builds the evaluator now, both ways, instead of at its first use each way.
-    pub fn prepare(&self) {
-        self.solved.prepare();
+    /// Builds the evaluator now, both ways, instead of at its first use each way. `progress` as in [`RiemannMap::solve`].
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled). What was built by then is kept, and the map is as usable as before.
+    pub fn prepare(&self, progress: Progress) -> Result<()> {
+        self.solved.prepare(progress)
     }
 
     pub(super) fn solved(&self) -> &dyn SolvedRegion {
@@ -208,7 +207,7 @@ impl RiemannMap {
     #[must_use]
     pub fn to_disk_directly(&self, points: &[Complex64]) -> Vec<Complex64> {
         let turn = self.turn();
-        points.iter().map(|&z| self.solved.to_disk_directly(z).map_or(NOWHERE, |w| turn * w)).collect()
+        points.iter().map(|&z| self.solved.to_disk_directly(z).map_or(NOWHERE, |w| onto_disk(turn * w))).collect()
     }
 
     /// |f'(center)|⁻¹, in plane units: exp ∫ log|y − z₀| dμ(y).
@@ -249,7 +248,7 @@ impl PlaneMap for RiemannMap {
         for (&z, jet) in points.iter().zip(jets) {
             let found = solved.to_disk_with_slope(z);
             *jet = found.map_or(Jet::UNDEFINED, |(point, slope)| {
-                Jet::analytic(turn * solved.flat(point), turn * slope * solved.flat_slope(point))
+                Jet::analytic(onto_disk(turn * solved.flat(point)), turn * slope * solved.flat_slope(point))
             });
         }
     }

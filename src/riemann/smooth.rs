@@ -1,10 +1,10 @@
 //! A solved smooth curve: Symm's equation at equally spaced nodes, evaluated by Cauchy's formula.
 
 use super::atlas::DiskPoint;
-use super::rounding::{ON_BOUNDARY, is_on_circle, is_outside_disk};
+use super::rounding::{is_on_circle, is_outside_disk, onto_disk};
 use super::solved_region::SolvedRegion;
 use crate::Result;
-use crate::plane::{BoundaryPoint, Complex64, Region, SmoothCurve};
+use crate::plane::{BoundaryPoint, Complex64, Region};
 use crate::symm::options::{Progress, SolveOptions, Stop};
 use crate::symm::smooth::{SmoothSolution, solve_smooth};
 use std::f64::consts::TAU;
@@ -13,29 +13,22 @@ use std::sync::Arc;
 /// A smooth curve's solution; nothing more is built.
 #[derive(Debug)]
 pub(super) struct SolvedCurve {
+    /// Where `region` has its 0.
+    origin: Complex64,
     region: Region,
     solution: SmoothSolution,
 }
 
 impl SolvedCurve {
-    /// Solves Symm's equation for the `curve` that bounds `region`.
+    /// Solves Symm's equation for the smooth curve that bounds a region; `None` if it is bounded by something else.
     ///
     /// # Errors
     /// As [`solve_smooth`].
-    pub fn solve(
-        region: &Region,
-        curve: &Arc<SmoothCurve>,
-        options: &SolveOptions,
-        progress: Progress,
-    ) -> Result<Self> {
-        Ok(Self { region: region.clone(), solution: solve_smooth(curve, region.center(), options, progress)? })
-    }
-
-    /// The image of a point that is on the boundary, up to rounding.
-    fn on_circle(&self, z: Complex64) -> Option<Complex64> {
-        let nearest = self.region.nearest(z);
-        let near = (nearest.point - z).norm() <= ON_BOUNDARY * self.region.polygon().size();
-        near.then(|| Complex64::cis(TAU * self.measure_at(nearest)))
+    pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Result<Option<Self>> {
+        let (origin, region) = region.local();
+        let Some(curve) = region.smooth() else { return Ok(None) };
+        let solution = solve_smooth(curve, region.center(), options, progress)?;
+        Ok(Some(Self { origin, region, solution }))
     }
 }
 
@@ -60,9 +53,18 @@ impl SolvedRegion for SolvedCurve {
         self.solution.conformal_radius()
     }
 
-    fn with_center(&self, center: Complex64, options: &SolveOptions, _: Progress) -> Result<Arc<dyn SolvedRegion>> {
-        let solution = self.solution.system.solve(center, options.tolerance);
-        Ok(Arc::new(Self { region: self.region.clone(), solution }))
+    fn with_center(
+        &self,
+        center: Complex64,
+        options: &SolveOptions,
+        progress: Progress,
+    ) -> Result<Arc<dyn SolvedRegion>> {
+        let region = self.region.with_center(center - self.origin, self.region.toward().point)?;
+        let mut solution = self.solution.system.solve(region.center(), options.tolerance);
+        if let (Some(curve), true) = (region.smooth(), solution.needs_nodes(options.tolerance)) {
+            solution = solve_smooth(curve, region.center(), options, progress)?;
+        }
+        Ok(Arc::new(Self { origin: self.origin, region, solution: solution.checked()? }))
     }
 
     fn vertex_measures(&self) -> Vec<f64> {
@@ -75,7 +77,8 @@ impl SolvedRegion for SolvedCurve {
     }
 
     fn boundary_point(&self, measure: f64) -> BoundaryPoint {
-        self.solution.curve().place(self.solution.parameter(measure))
+        let place = self.solution.curve().place(self.solution.parameter(measure));
+        BoundaryPoint { point: place.point + self.origin, ..place }
     }
 
     fn to_disk(&self, z: Complex64) -> Option<DiskPoint> {
@@ -83,11 +86,16 @@ impl SolvedRegion for SolvedCurve {
     }
 
     fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
+        let z = z - self.origin;
+        if let Some(place) = self.region.on_boundary(z) {
+            let (w, slope) = self.solution.on_circle(self.solution.curve().parameter(place));
+            return Some((DiskPoint::flat(onto_disk(w)), slope));
+        }
         if !self.region.contains(z) {
             return None;
         }
         let (w, slope) = self.solution.to_disk(z);
-        Some((DiskPoint::flat(self.on_circle(z).unwrap_or(w)), slope))
+        Some((DiskPoint::flat(onto_disk(w)), slope))
     }
 
     fn to_disk_directly(&self, z: Complex64) -> Option<Complex64> {
@@ -101,11 +109,16 @@ impl SolvedRegion for SolvedCurve {
         if is_on_circle(point.w) {
             return Some(self.boundary_point(point.w.arg() / TAU).point);
         }
-        Some(self.solution.from_disk(point.w))
+        Some(self.solution.from_disk(point.w) + self.origin)
     }
 
     fn from_disk_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)> {
+        if is_on_circle(point.w) {
+            let t = self.solution.parameter(point.w.arg() / TAU);
+            let place = self.solution.curve().place(t);
+            return Some((place.point + self.origin, self.solution.on_circle(t).1.inv()));
+        }
         let z = self.from_disk(point)?;
-        Some((z, self.solution.to_disk(z).1.inv()))
+        Some((z, self.solution.to_disk(z - self.origin).1.inv()))
     }
 }

@@ -79,7 +79,12 @@ pub(super) trait SolvedRegion: Debug + Send + Sync {
     }
 
     /// Builds now what is otherwise built when it is first asked for.
-    fn prepare(&self) {}
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled); what was built by then is kept.
+    fn prepare(&self, _: Progress) -> Result<()> {
+        Ok(())
+    }
 
     /// Bytes of memory that this took so far, about.
     fn bytes(&self) -> usize {

@@ -109,9 +109,21 @@ impl RiemannMap {
         Ok(points::to_flat(&self.evaluated().derivative(&points)))
     }
 
-    /// Builds what makes evaluation fast now, instead of at its first use.
-    pub fn prepare(&self) {
-        self.evaluated().prepare();
+    /// Builds what makes evaluation fast now, instead of at its first use. `onProgress` is told the stage and the fraction
+    /// of it that is done; `false` cancels.
+    ///
+    /// Throws "cancelled", and what `onProgress` throws. What was built by then is kept.
+    pub fn prepare(
+        &self,
+        #[wasm_bindgen(
+            js_name = onProgress,
+            unchecked_optional_param_type = "(stage: string, fraction: number) => boolean | void"
+        )]
+        on_progress: Option<Function>,
+    ) -> Result<(), Failure> {
+        let mut progress = Progress::new(on_progress);
+        let prepared = self.evaluated().prepare(&mut |stage, fraction| progress.report(stage, fraction));
+        progress.finish(prepared)
     }
 
     /// Bytes that this takes; 0 before its first use.

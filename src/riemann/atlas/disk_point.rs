@@ -20,6 +20,12 @@ impl DiskPoint {
         Self { w: self.w / self.w.norm(), ..self }
     }
 
+    /// Another point of the same chart.
+    #[inline]
+    pub(in super::super) fn map(self, f: impl Fn(Complex64) -> Complex64) -> Self {
+        Self { w: f(self.w), ..self }
+    }
+
     /// A point that is given by a number.
     pub(in super::super) fn flat(w: Complex64) -> Self {
         Self { chart: 0, w }

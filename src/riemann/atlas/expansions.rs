@@ -9,8 +9,9 @@ use super::inverse_cell::{Inverter, Pair};
 use super::position::Position;
 use super::region_side::RegionSide;
 use crate::plane::Complex64;
-use crate::symm::options::SolveOptions;
+use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::solution::Solution;
+use crate::{Error, Result};
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -36,10 +37,17 @@ impl Expansions {
     }
 
     /// Builds the way back for all charts.
-    pub fn prepare(&self) {
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn prepare(&self, progress: Progress) -> Result<()> {
         for chart in 0..self.disks.len() {
+            if !progress("expand", chart as f64 / self.disks.len() as f64) {
+                return Err(Error::Cancelled);
+            }
             self.disk(chart);
         }
+        Ok(())
     }
 
     #[inline]

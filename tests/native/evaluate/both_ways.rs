@@ -69,7 +69,7 @@ fn loose_solves_have_small_evaluators_that_go_both_ways() {
     for (name, tolerance) in [("slot", 1e-3), ("neck", 1e-3), ("rect20", 1e-3), ("blob100", 1e-2)] {
         let region = case(name).region();
         let map = solve(&region, tolerance);
-        map.prepare();
+        map.prepare(&mut |_, _| true).unwrap();
         let megabytes = map.evaluator_bytes() as f64 / 1e6;
         assert!(megabytes < 2.5, "{name}: {megabytes} MB");
         // A chart is used where |f'| × size is at least 1/20: that is how much an error in the disk may grow.
@@ -83,7 +83,7 @@ fn interior_pairs_are_exact_both_ways() {
     for name in EXACT_CASES {
         let case = case(name);
         let map = solve(&case.region(), 1e-10);
-        map.prepare();
+        map.prepare(&mut |_, _| true).unwrap();
         let (z, w) = (points(&case.interior_z), points(&case.interior_w));
         let forward = largest(map.to_disk(&z).iter().zip(&w).map(|(a, b)| (a - b).norm()));
         let inverse = largest(map.from_disk(&w).iter().zip(&z).map(|(a, b)| (a - b).norm()));
@@ -106,7 +106,7 @@ fn agrees_with_direct_summation() {
 fn outside_is_nan_and_the_boundary_goes_to_the_boundary() {
     let region = case("sc_15_104").region();
     let map = solve(&region, 1e-8);
-    map.prepare();
+    map.prepare(&mut |_, _| true).unwrap();
     let polygon = region.polygon();
     let size = polygon.size();
     for k in 0..polygon.len() {

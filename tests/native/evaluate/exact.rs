@@ -16,7 +16,7 @@ fn interior_points(region: &Region) -> Vec<Complex64> {
 
 /// Largest error of f', relative to |f'| where that is more than 1, against `exact`(z, f(z)).
 fn slope_error(map: &RiemannMap, exact: impl Fn(Complex64, Complex64) -> Complex64) -> f64 {
-    map.prepare();
+    map.prepare(&mut |_, _| true).unwrap();
     let z = interior_points(map.region());
     let images = map.to_disk(&z);
     let slopes = map.derivative(&z);
@@ -110,7 +110,7 @@ fn smooth_curves_go_both_ways() {
             let w = Complex64::cis(0.157 * f64::from(k) + 0.01);
             let on = map.from_disk(&[w])[0];
             assert!((map.region().nearest(on).point - on).norm() < 1e-13);
-            assert!((map.to_disk(&[on])[0] - w).norm() < 1e-11 || map.to_disk(&[on])[0].is_nan());
+            assert!((map.to_disk(&[on])[0] - w).norm() < 1e-11);
         }
         assert!(map.from_disk(&[c(1.0 + 1e-9, 0.0)])[0].is_nan() && map.to_disk(&[c(3.0, 0.0)])[0].is_nan());
     }
@@ -128,7 +128,7 @@ fn beside_a_vertex_the_way_back_is_as_exact_as_rounding_allows() {
     regions.push(("spike", case("spike").region()));
     for (name, region) in regions {
         let map = solve(&region, 1e-10);
-        map.prepare();
+        map.prepare(&mut |_, _| true).unwrap();
         let polygon = region.polygon();
         let n = polygon.len();
         for k in 0..n {

@@ -2,5 +2,6 @@
 
 mod between;
 mod both_ways;
+mod closed;
 mod compose;
 mod exact;
