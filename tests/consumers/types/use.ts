@@ -33,3 +33,11 @@ const code: ErrorCode = "self-intersecting";
 const noCode: ErrorCode = "oops";
 void noCode;
 export const report = (error: ConformalWarpError) => error.code === code;
+import { createPool } from "conformal-warp/pool";
+const pool = await createPool({ workers: 2 });
+const pooled = pool.RiemannMap.solve(new pool.Region({ boundary: new Float64Array(6), center: [0, 0], toward: [1, 0] }), { signal: undefined });
+const radius: number = await pooled.conformalRadius;
+const drawn: Uint8ClampedArray<ArrayBuffer> = await pooled.warp(new pool.Texture(new Uint8ClampedArray(4), 1, 1), options);
+// @ts-expect-error an object of the pool's, not of this thread
+void pool.RiemannMap.solve(region);
+void radius; void drawn;
