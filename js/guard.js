@@ -8,7 +8,8 @@ import { state } from "./state.js";
 
 /** @typedef {import("./check.js").Parameter} Parameter */
 
-/** @typedef {{ new?: Parameter[], static?: Record<string, Parameter[]>, methods?: Record<string, Parameter[]> }} Signature */
+/** @typedef {{ new?: Parameter[], static?: Record<string, Parameter[]>, methods?: Record<string, Parameter[]>,
+ *   makes?: Record<string, string> }} Signature `makes`: the classes of the objects that calls return */
 
 /** @param {string} call */
 function checkReady(call) {

@@ -78,6 +78,18 @@ async function start(source, usual) {
 }
 
 /**
+ * The compiled module alone, for those who hand it to workers.
+ *
+ * @param {InitSource | Promise<InitSource> | undefined} source
+ * @param {() => InitSource} usual
+ * @returns {Promise<WebAssembly.Module>}
+ */
+export async function compiledModule(source, usual) {
+  state.module ??= await compile((await source) ?? usual());
+  return state.module;
+}
+
+/**
  * Of a module that was loaded twice at once, the first instance stays.
  *
  * @param {WebAssembly.Module} module

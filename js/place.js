@@ -4,6 +4,14 @@ import { failure } from "./failure.js";
 import { FOLDER } from "./module.js";
 import { builtin, findInstalled } from "./source.js";
 
+/** Vite 5 to 7 bundle what is imported from packages into node_modules/.vite/deps/, without the files that lie beside it. */
+const MOVED = /^(.*\/node_modules\/)\.vite\/[^/]+\/([^/?]+)/;
+
+/** Whether the code at this address is without the files beside it. @param {string} address */
+export function isMoved(address) {
+  return MOVED.test(address);
+}
+
 /**
  * @param {() => URL} address of a file beside the package's code
  * @returns {URL}
@@ -16,8 +24,7 @@ export function beside(address) {
     // Bundles in the form of CommonJS have no import.meta.url.
     return fromWorkingFolder();
   }
-  // Vite 5 to 7 bundle what is imported from packages into node_modules/.vite/deps/, without the files that lie beside it.
-  const moved = /^(.*\/node_modules\/)\.vite\/[^/]+\/([^/?]+)/.exec(url.href);
+  const moved = MOVED.exec(url.href);
   return moved ? new URL(`${moved[1]}${FOLDER}${moved[2]}`) : url;
 }
 

@@ -84,7 +84,7 @@ export function findInstalled(from) {
 /**
  * A module of Node's own: an import of it would be an error in bundles for browsers.
  *
- * @template {"node:fs" | "node:module" | "node:url" | "node:worker_threads"} Name
+ * @template {"node:fs" | "node:module" | "node:os" | "node:url" | "node:worker_threads"} Name
  * @param {Name} name
  * @returns {ReturnType<typeof process.getBuiltinModule<Name>> | undefined}
  */

@@ -37,8 +37,11 @@ export async function assemble(generated, module, folder, part) {
     write(`inline.d.${kind}`, `export * from "${from}";\nexport { default } from "${from}";\n`);
     write(`wasm.d.${kind}`, `/** The module's address, as bundlers hand it out. */\ndeclare const address: string;\nexport default address;\n`);
   }
+  for (const [to, index] of [["pool.d.ts", "./index.js"], ["pool.d.cts", "./index.cjs"]]) {
+    write(to, source("pool-types.d.ts").replace('"conformal-warp"', `"${index}"`));
+  }
   write("conformal_warp.d.ts", internalTypes(Object.keys(calls)));
-  await toCommonJs(folder, ["index", "inline"]);
+  await toCommonJs(folder, ["index", "inline", "pool"]);
 }
 
 /**

@@ -5,6 +5,7 @@ import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync,
 import { join } from "node:path";
 import { buildPackage } from "./package.mjs";
 import { npm, setUp } from "./setup.mjs";
+import { checkSizes } from "./sizes.mjs";
 import { Failure, main, root, run, show, step } from "./steps.mjs";
 
 const tests = join(root, "tests", "consumers");
@@ -16,6 +17,7 @@ await main(async () => {
   mkdirSync(work, { recursive: true });
   await installBundlers();
   await step("npm pack", pack);
+  checkSizes(join(work, "package"));
   const { installChromium } = await import("./chromium.mjs");
   const CHROMIUM = await installChromium();
   const chosen = process.argv.slice(2);

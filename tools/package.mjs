@@ -91,7 +91,7 @@ async function optimised(module, name) {
 function copyToPage() {
   rmSync(page, { recursive: true, force: true });
   mkdirSync(page, { recursive: true });
-  for (const file of filesIn(pkg)) if (!/^inline|^bytes|\.cjs$|\.cts$/.test(file)) cpSync(join(pkg, file), join(page, file));
+  for (const file of filesIn(pkg)) if (!/^inline|^bytes|^pool|^crew|\.cjs$|\.cts$/.test(file)) cpSync(join(pkg, file), join(page, file));
 }
 
 /** @param {string} folder */

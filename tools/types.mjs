@@ -79,6 +79,11 @@ function readSignatures(text) {
     if (name !== "Count") types[name] = parse(type);
   }
   for (const [, name, body] of bare.matchAll(/^export class (\w+) \{\n([\s\S]*?)^\}/gm)) calls[name] = readClass(body);
+  const made = (/** @type {string} */ name) => name in calls && !Array.isArray(calls[name]);
+  for (const call of Object.values(calls)) {
+    if (Array.isArray(call) || !call.makes) continue;
+    call.makes = Object.fromEntries(Object.entries(call.makes).filter(([, name]) => made(name)));
+  }
   for (const [, name, parameters] of bare.matchAll(/^export function (\w+)\((.*)\): /gm)) {
     if (!/^(init|initSync)$/.test(name)) calls[name] = readParameters(parameters);
   }
@@ -99,10 +104,11 @@ function fieldsOf(body) {
  * @returns {Signature}
  */
 function readClass(body) {
-  /** @type {Required<Pick<Signature, "static" | "methods">> & Signature} */
-  const found = { static: {}, methods: {} };
-  for (const [, modifier, name, parameters] of body.matchAll(/^ {4}(private |static )?(\w+)\((.*?)\)(?:: .*)?;$/gm)) {
+  /** @type {Required<Pick<Signature, "static" | "methods" | "makes">> & Signature} */
+  const found = { static: {}, methods: {}, makes: {} };
+  for (const [, modifier, name, parameters, result] of body.matchAll(/^ {4}(private |static )?(\w+)\((.*?)\)(?:: (.*))?;$/gm)) {
     if (name === "free") continue;
+    if (result) found.makes[name] = result;
     if (name !== "constructor") found[modifier === "static " ? "static" : "methods"][name] = readParameters(parameters);
     else if (modifier !== "private ") found.new = readParameters(parameters);
   }

@@ -5,7 +5,7 @@ import { cpSync, existsSync, mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { closeBrowser, resultAt, resultIn } from "./support/browser.mjs";
-import { WORK, program, project, run, tool, unpacked } from "./support/project.mjs";
+import { POOLED, WORK, program, project, run, tool, unpacked } from "./support/project.mjs";
 
 /** What Node computes from the same files. @type {string} */
 let expected;
@@ -28,8 +28,8 @@ const wanted = (/** @type {string} */ entry) => (entry.endsWith("formula") ? exp
 for (const version of ["vite5", "vite6", "vite7", "vite8"]) {
   test(`${version}: development server and build`, async () => {
     const { build, createServer } = await tool(version);
-    for (const entry of entries) {
-      const folder = project(`${version}-${short(entry)}`, entry);
+    for (const entry of [...entries, "conformal-warp/pool"]) {
+      const folder = project(`${version}-${short(entry)}`, entry, pooled(entry));
       const server = await createServer({ root: folder, configFile: false, logLevel: "error", server: { port: 0, host: "127.0.0.1" } });
       await server.listen();
       try {
@@ -45,8 +45,8 @@ for (const version of ["vite5", "vite6", "vite7", "vite8"]) {
 
 test("webpack 5", async () => {
   const { default: webpack } = await tool("webpack");
-  for (const entry of entries) {
-    const folder = project(`webpack-${short(entry)}`, entry);
+  for (const entry of [...entries, "conformal-warp/pool"]) {
+    const folder = project(`webpack-${short(entry)}`, entry, pooled(entry));
     const output = { path: join(folder, "dist"), filename: "main.js" };
     const stats = await new Promise((resolve, reject) =>
       webpack({ mode: "production", context: folder, entry: "./main.js", output, performance: false }, (/** @type {any} */ error, /** @type {any} */ done) =>
@@ -140,6 +140,11 @@ test("Vitest", async () => {
   });
   await run(folder, [process.execPath, program("vitest/vitest.mjs"), "run", "--root", folder], { CI: "true" });
 });
+
+/** @param {string} entry @returns {Record<string, string>} */
+function pooled(entry) {
+  return entry.endsWith("pool") ? { "main.js": POOLED } : {};
+}
 
 /** The page of a bundle. @param {string} folder */
 function page(folder) {

@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { createContext, runInContext } from "node:vm";
 import { closeBrowser, resultIn } from "./support/browser.mjs";
-import { WORK, program, project, run, unpacked } from "./support/project.mjs";
+import { POOLED, WORK, program, project, run, unpacked } from "./support/project.mjs";
 
 /** @type {string} */
 let expected;
@@ -28,11 +28,12 @@ test("require under Node, for both entries", async () => {
   }
 });
 
+const binaries = {
+  deno: [program("@deno/linux-x64-glibc/deno"), "run", "--allow-read", "--allow-env"],
+  bun: [program("@oven/bun-linux-x64/bin/bun"), "run"],
+};
+
 test("Deno and Bun", async () => {
-  const binaries = {
-    deno: [program("@deno/linux-x64-glibc/deno"), "run", "--allow-read", "--allow-env"],
-    bun: [program("@oven/bun-linux-x64/bin/bun"), "run"],
-  };
   for (const [name, command] of Object.entries(binaries)) {
     assert.ok(existsSync(command[0]), `${name} is not installed`);
     for (const entry of ["conformal-warp", "conformal-warp/inline"]) {
@@ -56,6 +57,18 @@ test("plain modules in a browser, on the page and in a worker", async () => {
   });
   assert.equal(await resultIn(folder), expected);
   assert.equal(await resultIn(folder, "worker.html"), expected);
+});
+
+test("a pool, under Node, Deno and Bun and on a page without isolation", async () => {
+  const folder = project("pool", undefined, {
+    "main.js": POOLED,
+    "index.html": `<!doctype html><meta charset="utf-8">${map.replace(" } }", ', "conformal-warp/pool": "./node_modules/conformal-warp/pkg/pool.js" } }')}<script type="module" src="./main.js"></script>`,
+  });
+  assert.equal((await run(folder, [process.execPath, "main.js"])).trim(), expected);
+  for (const command of Object.values(binaries)) assert.equal((await run(folder, [...command, "main.js"])).trim(), expected, command[0]);
+  assert.equal(await resultIn(folder), expected);
+  const required = POOLED.replace(/import .* from "conformal-warp\/pool";/, 'const { createPool } = require("conformal-warp/pool");').replace(/import .*work.js";/, "");
+  assert.equal((await run(project("pool-require", undefined, { "main.cjs": required }), [process.execPath, "main.cjs"])).trim(), expected);
 });
 
 test("a content security policy of 'self' and 'wasm-unsafe-eval' is enough; without the latter a sentence says so", async () => {

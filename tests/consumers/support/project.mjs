@@ -30,6 +30,24 @@ const tell = (text) => { globalThis.result = text; if (typeof document === "unde
 init().then(() => tell(work(warp)), (error) => tell(error.code + ": " + error.message));
 `;
 
+/** A project whose pictures are drawn by a pool. */
+export const POOLED = `
+import { createPool } from "conformal-warp/pool";
+import { work } from "./work.js";
+async function draw() {
+  const pool = await createPool({ workers: 2 });
+  const region = new pool.Region({ boundary: new Float64Array([-1, -1, 1, -1, 1, 1, -1, 1]), center: [0, 0], toward: [1, 0] });
+  const radius = await pool.RiemannMap.solve(region).conformalRadius;
+  const rgba = new Uint8ClampedArray(4 * 64).map((_, k) => (k * 37) % 256);
+  const frame = { center: [0, 0], width: 2, pixels: [8, 8] };
+  const pixels = await new pool.FormulaMap("z^2").warp(new pool.Texture(rgba, 8, 8), { texture: frame, view: frame });
+  pool.close();
+  return radius.toFixed(10) + " " + pixels.reduce((sum, byte, k) => (sum * 31 + byte + k) % 1000003, 0);
+}
+const tell = (text) => { globalThis.result = text; if (typeof document === "undefined") console.log(text); };
+draw().then(tell, (error) => tell(error.code + ": " + error.message));
+`;
+
 /**
  * A fresh project with index.html and main.js, which computes with the given entry of the package.
  *

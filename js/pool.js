@@ -1,0 +1,293 @@
+// A pool of workers with the package's own classes, whose methods return promises.
+//
+// Objects exist once in each worker, made there by the same calls, which give the same bits; pictures are drawn in bands of
+// rows and many points in parts, one for each worker. Only finished bands travel, and they are handed over, not copied.
+
+import { Member, usualCount } from "./crew.js";
+import { failure } from "./failure.js";
+import { compiledModule } from "./load.js";
+import { beside, isMoved } from "./place.js";
+import { calls } from "./signatures.js";
+import { builtin } from "./source.js";
+
+/** @typedef {import("./crew.js").Task} Task */
+/** @typedef {{ kept: number, name: string, bands?: [number, number][], columns?: number }} Handle */
+
+/** The handle behind an object of the pool's. @type {WeakMap<object, Handle>} */
+const handles = new WeakMap();
+/** Fewer points than this are not worth dividing. */
+const PART = 1 << 14;
+
+/**
+ * @param {{ workers?: number, worker?: () => any, source?: import("./entry.js").InitSource }} [options]
+ * @returns {Promise<any>}
+ */
+export async function createPool({ workers = usualCount(), worker = spawn, source } = {}) {
+  if (!Number.isInteger(workers) || workers < 1 || workers > 256) {
+    const message = `createPool(): workers cannot be used: expected a whole number from 1 to 256, found ${String(workers)}.`;
+    throw failure("invalid-option", message, { option: "workers" });
+  }
+  const module = await compiledModule(source, () => beside(() => new URL("conformal_warp_bg.wasm", import.meta.url)));
+  const members = Array.from({ length: workers }, () => new Member(worker(), module));
+  try {
+    await Promise.all(members.map(({ ready }) => ready));
+  } catch (error) {
+    for (const member of members) member.end();
+    throw error;
+  }
+  return new Pool(members).face();
+}
+
+function spawn() {
+  const NodeWorker = builtin("node:worker_threads")?.Worker;
+  const isNode = NodeWorker && typeof Worker === "undefined";
+  if (isNode) return new NodeWorker(beside(() => new URL("pool-worker.js", import.meta.url)));
+  if (isMoved(import.meta.url)) return new Worker(beside(() => new URL("pool-worker.js", import.meta.url)), { type: "module" });
+  // Bundlers know this form, and take the worker along.
+  return new Worker(new URL("./pool-worker.js", import.meta.url), { type: "module" });
+}
+
+class Pool {
+  #next = 0;
+
+  /** @param {Member[]} members */
+  constructor(members) {
+    this.members = members;
+  }
+
+  /** What users see: the classes, `size` and `close()`. */
+  face() {
+    /** @type {Record<string, unknown>} */
+    const face = {
+      size: this.members.length,
+      close: () => this.members.forEach((member) => member.end()),
+    };
+    for (const [name, signature] of Object.entries(calls)) if (!Array.isArray(signature)) face[name] = this.#class(name, signature);
+    return Object.freeze(face);
+  }
+
+  /**
+   * @param {string} name
+   * @param {any} signature
+   */
+  #class(name, signature) {
+    const pool = this;
+    const made = function (/** @type {unknown[]} */ ...args) {
+      return pool.#make(name, { kind: "new", name, args });
+    };
+    Object.defineProperty(made, "name", { value: name });
+    for (const key of Object.keys(signature.static)) {
+      const makes = signature.makes?.[key];
+      /** @type {any} */ (made)[key] = (/** @type {unknown[]} */ ...args) =>
+        makes ? this.#make(makes, { kind: "static", name, key, args }) : this.#ask({ kind: "static", name, key, args });
+    }
+    return made;
+  }
+
+  /**
+   * An object that all workers make, at once and without waiting: what is asked of it comes after.
+   *
+   * @param {string} name of its class
+   * @param {Task} task
+   * @param {[number, number][]} [bands] of rows, one for each worker, if each makes its part
+   */
+  #make(name, task, bands) {
+    const kept = this.#next++;
+    const call = this.#read(task);
+    const progress = call.progress;
+    const made = this.members.map((member, k) =>
+      member.run({ ...call.task, keep: kept, args: withRows(call.task.args, bands?.[k]) }, k === 0 ? progress : undefined),
+    );
+    const ready = call.untilAborted(Promise.all(made).then(() => undefined));
+    // Who does not look at `ready` hears of it from the first thing asked.
+    ready.catch(() => undefined);
+    return this.#object({ kept, name, bands }, ready);
+  }
+
+  /**
+   * @param {Handle} handle
+   * @param {Promise<void>} ready
+   */
+  #object(handle, ready) {
+    const signature = /** @type {any} */ (calls)[handle.name];
+    const free = () => this.members.forEach((member) => member.free(handle.kept));
+    const object = new Proxy(Object.create(null), {
+      get: (_, key) => {
+        // A promise that gives this object must not take it for one.
+        if (key === "then") return undefined;
+        if (key === "ready") return ready;
+        if (key === "free" || key === Symbol.dispose) return free;
+        if (typeof key !== "string") return undefined;
+        const { kept: self, name } = handle;
+        if (!(key in signature.methods)) return ready.then(() => this.#ask({ kind: "get", name, key, self, args: [] }));
+        return (/** @type {unknown[]} */ ...args) => this.#call(handle, ready, signature, key, args);
+      },
+    });
+    handles.set(object, handle);
+    return object;
+  }
+
+  /**
+   * @param {Handle} handle
+   * @param {Promise<void>} ready
+   * @param {any} signature
+   * @param {string} key
+   * @param {unknown[]} args
+   */
+  #call(handle, ready, signature, key, args) {
+    const { kept: self, name } = handle;
+    /** @type {Task} */
+    const task = { kind: "method", name, key, self, args };
+    const view = viewOf(args);
+    const makes = signature.makes?.[key];
+    if (makes) return this.#make(makes, task, view && key.startsWith("prepare") ? this.#bands(view) : undefined);
+    const isDrawn = key.startsWith("warp") || key === "overlay";
+    return ready.then(() => {
+      if (isDrawn && handle.bands) return this.#gather(task, handle.bands, args[1]);
+      if (isDrawn && view) return this.#gather(task, this.#bands(view), /** @type {any} */ (args.at(-1)).out);
+      const points = args.length === 1 && args[0] instanceof Float64Array ? args[0] : undefined;
+      return points && points.length >= 2 * PART ? this.#divide(task, points) : this.#ask(task);
+    });
+  }
+
+  /**
+   * @param {any} view options of a drawing
+   * @returns {[number, number][]} a band of rows for each worker
+   */
+  #bands({ view, rows }) {
+    const [first, end] = rows ?? [0, view.pixels[1]];
+    const edge = (/** @type {number} */ k) => first + Math.round(((end - first) * k) / this.members.length);
+    return this.members.map((_, k) => [edge(k), edge(k + 1)]);
+  }
+
+  /**
+   * Bands of rows, put together.
+   *
+   * @param {Task} task
+   * @param {[number, number][]} bands
+   * @param {any} out
+   */
+  async #gather(task, bands, out) {
+    const call = this.#read(task);
+    const drawn = this.members.map((member, k) => {
+      const args = withRows(call.task.args, bands[k], out);
+      return member.run({ ...call.task, args });
+    });
+    const parts = await call.untilAborted(Promise.all(drawn));
+    const length = parts.reduce((sum, part) => sum + part.length, 0);
+    if (out && out.length !== length) {
+      throw failure("wrong-length", `out must have ${length} numbers; it has ${out.length}.`);
+    }
+    const whole = out ?? new Uint8ClampedArray(length);
+    let at = 0;
+    for (const part of parts) {
+      whole.set(part, at);
+      at += part.length;
+    }
+    return whole;
+  }
+
+  /**
+   * Many points in parts, put together.
+   *
+   * @param {Task} task
+   * @param {Float64Array} points
+   */
+  async #divide(task, points) {
+    const step = 2 * Math.ceil(points.length / 2 / this.members.length);
+    const parts = await Promise.all(
+      this.members.map((member, k) => member.run({ ...task, args: [points.slice(k * step, (k + 1) * step)] })),
+    );
+    const length = parts.reduce((sum, part) => sum + part.length, 0);
+    const whole = new parts[0].constructor(length);
+    let at = 0;
+    for (const part of parts) {
+      whole.set(part, at);
+      at += part.length;
+    }
+    return whole;
+  }
+
+  /** One worker's answer; they take turns. @param {Task} task */
+  #ask(task) {
+    const call = this.#read(task);
+    return call.untilAborted(this.members[this.#next++ % this.members.length].run(call.task, call.progress));
+  }
+
+  /**
+   * A call as workers take it: objects by their numbers, `signal` and `onProgress` apart.
+   *
+   * @param {Task} task
+   */
+  #read(task) {
+    /** @type {AbortSignal | undefined} */
+    let signal;
+    /** @type {((stage: string, fraction: number) => unknown) | undefined} */
+    let onProgress;
+    const args = task.args.map((arg) => {
+      const handle = typeof arg === "object" && arg !== null ? handles.get(arg) : undefined;
+      if (handle) return { kept: handle.kept };
+      if (Object.prototype.toString.call(arg) !== "[object Object]") return arg;
+      const { signal: given, onProgress: told, ...rest } = /** @type {any} */ (arg);
+      signal = given ?? signal;
+      onProgress = told ?? onProgress;
+      return rest;
+    });
+    signal?.throwIfAborted();
+    // Where memory can be shared, a solve under way is told to stop; elsewhere its result is dropped.
+    const cancel = typeof SharedArrayBuffer === "function" ? new Int32Array(new SharedArrayBuffer(4)) : undefined;
+    const stop = () => cancel && Atomics.store(cancel, 0, 1);
+    signal?.addEventListener("abort", stop, { once: true });
+    const progress = onProgress && ((/** @type {string} */ stage, /** @type {number} */ fraction) => {
+      if (onProgress?.(stage, fraction) === false) stop();
+    });
+    const cancels = signal !== undefined || onProgress !== undefined;
+    return {
+      task: { ...task, args, ...(cancels && { cancel, progress: progress !== undefined }) },
+      progress,
+      /** @template T @param {Promise<T>} work @returns {Promise<T>} */
+      untilAborted(work) {
+        if (!signal) return work;
+        const aborted = signal;
+        return new Promise((resolve, reject) => {
+          const abort = () => reject(aborted.reason);
+          aborted.addEventListener("abort", abort, { once: true });
+          const rest = () => {
+            aborted.removeEventListener("abort", abort);
+            aborted.removeEventListener("abort", stop);
+          };
+          work.then(resolve, reject).finally(rest);
+        });
+      },
+    };
+  }
+}
+
+/**
+ * The options of a drawing among the arguments of a call.
+ *
+ * @param {unknown[]} args
+ * @returns {any}
+ */
+function viewOf(args) {
+  const last = /** @type {any} */ (args.at(-1));
+  const isView = Array.isArray(last?.view?.pixels) && Number.isInteger(last.view.pixels[1]);
+  // What cannot be divided into rows is refused by the worker, in its words.
+  const rows = last?.rows ?? [0, 0];
+  return isView && Array.isArray(rows) && rows.every(Number.isInteger) && !handles.has(last) ? last : undefined;
+}
+
+/**
+ * The arguments with a band of rows in their options, and nothing to fill.
+ *
+ * @param {unknown[]} args
+ * @param {[number, number]} [rows]
+ * @param {unknown} [out]
+ */
+function withRows(args, rows, out) {
+  if (!rows) return args;
+  return args.flatMap((/** @type {any} */ arg) => {
+    if (out !== undefined && arg === out) return [];
+    return arg?.view?.pixels ? [{ ...arg, rows, out: undefined }] : [arg];
+  });
+}

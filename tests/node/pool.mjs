@@ -1,0 +1,79 @@
+// conformal-warp/pool under Node: the same answers as without it, from any number of workers.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import init, { FormulaMap, Region, RiemannMap, Texture } from "conformal-warp";
+import { createPool } from "conformal-warp/pool";
+
+const square = { boundary: new Float64Array([-1, -1, 1, -1, 1, 1, -1, 1]), center: /** @type {[number, number]} */ ([0, 0]), toward: /** @type {[number, number]} */ ([1, 0]) };
+const rgba = Uint8ClampedArray.from({ length: 4 * 64 * 64 }, (_, k) => (k * 37) % 256);
+const frame = { center: /** @type {[number, number]} */ ([0, 0]), width: 2, pixels: /** @type {[number, number]} */ ([64, 61]) };
+const options = { texture: frame, view: frame };
+
+/** @type {import("conformal-warp/pool").Pool} */
+let pool;
+
+before(async () => {
+  await init();
+  pool = await createPool({ workers: 3 });
+});
+
+after(() => pool.close());
+
+test("pictures and points are those of one thread, to the bit", async () => {
+  const map = pool.RiemannMap.solve(new pool.Region(square), { tolerance: 1e-6 });
+  const alone = RiemannMap.solve(new Region(square), { tolerance: 1e-6 });
+  assert.equal(await map.conformalRadius, alone.conformalRadius);
+  const points = Float64Array.from({ length: 80_002 }, (_, k) => Math.sin(k));
+  assert.deepEqual(await map.toDisk(points), alone.toDisk(points));
+
+  const texture = new pool.Texture(rgba, 64, 64);
+  const own = new Texture(rgba, 64, 64);
+  for (const quality of /** @type {const} */ (["bilinear", "best"])) {
+    assert.deepEqual(await map.warp(texture, { ...options, quality }), alone.warp(own, { ...options, quality }));
+  }
+  const formula = new pool.FormulaMap("z^2 + t", { params: { t: [0.1, 0] } });
+  const expected = new FormulaMap("z^2 + t", { params: { t: [0.1, 0] } });
+  const rows = /** @type {[number, number]} */ ([10, 43]);
+  assert.deepEqual(await formula.warp(texture, { ...options, rows }), expected.warp(own, { ...options, rows }));
+  const out = new Uint8ClampedArray(4 * 64 * 61);
+  assert.equal(await formula.warp(texture, { ...options, out }), out);
+  assert.deepEqual(out, expected.warp(own, options));
+  const prepared = formula.prepareWarp(texture, options);
+  assert.deepEqual(await prepared.warp(texture), out);
+  assert.deepEqual(await formula.overlay({ kind: "polar", view: frame }), expected.overlay({ kind: "polar", view: frame }));
+});
+
+test("what goes wrong is rejected with its code, and the pool works on", async () => {
+  const bad = new pool.Region({ ...square, center: [3, 0] });
+  await assert.rejects(bad.ready, { code: "center-outside", at: [3, 0] });
+  await assert.rejects(bad.boundary, { code: "center-outside" });
+  const formula = new pool.FormulaMap("z");
+  await assert.rejects(formula.eval(new Float64Array(3)), { code: "wrong-length" });
+  await assert.rejects(formula.warp(new pool.Texture(rgba, 64, 64), { ...options, out: new Uint8ClampedArray(1) }), { code: "wrong-length" });
+  await assert.rejects(formula.eval(/** @type {any} */ (() => 1)), { code: "invalid-argument" });
+  formula.free();
+  await assert.rejects(formula.eval(new Float64Array(2)), { code: "freed" });
+  await assert.rejects(createPool({ workers: 0 }), { code: "invalid-option" });
+  assert.equal((await new pool.FormulaMap("z").eval(new Float64Array([1, 2])))[1], 2);
+});
+
+test("a signal aborts, and progress is told", async () => {
+  const region = new pool.Region(square);
+  const aborted = AbortSignal.abort(new Error("enough"));
+  assert.throws(() => pool.RiemannMap.solve(region, { signal: aborted }), /enough/);
+  const stages = new Set();
+  await pool.RiemannMap.solve(region, { onProgress: (stage) => void stages.add(stage) }).ready;
+  assert.ok(stages.size > 0);
+  const controller = new AbortController();
+  const map = pool.RiemannMap.solve(region, { tolerance: 1e-12, signal: controller.signal });
+  controller.abort(new Error("no more"));
+  await assert.rejects(map.ready, /no more/);
+});
+
+test("closing rejects what is not done", async () => {
+  const other = await createPool({ workers: 1 });
+  const answer = new other.FormulaMap("z").eval(new Float64Array(2));
+  other.close();
+  await assert.rejects(answer, { code: "pool-closed" });
+});
