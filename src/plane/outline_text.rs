@@ -244,6 +244,7 @@ mod tests {
             (&file("<use href='#a'/>"), "“#a”"),
             (&file("<g id='a'><use href='#a'/></g>"), "inside each other"),
             (&file("<rect width='wide'/>"), "no length"),
+            (&file("<rect width='5' height='-3' rx='9'/>"), "no curve"),
         ];
         for (text, reason) in refused {
             let error = parse_outline(text, 1.0, 0.1).unwrap_err();

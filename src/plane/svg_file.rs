@@ -143,6 +143,10 @@ fn outline(node: Node<'_, '_>, size: [f64; 2], tolerance: f64) -> Result<Option<
         "ellipse" => Some(kurbo::Ellipse::new((x("cx")?, y("cy")?), (x("rx")?, y("ry")?), 0.0).to_path(tolerance)),
         "rect" => {
             let ([left, top], [width, height]) = ([x("x")?, y("y")?], [x("width")?, y("height")?]);
+            // Sizes that are not positive draw nothing, and would leave no room for the corners' radii.
+            if width.is_nan() || height.is_nan() || width <= 0.0 || height <= 0.0 {
+                return Ok(None);
+            }
             let (rx, ry) = (length(node, "rx", size[0])?, length(node, "ry", size[1])?);
             let rx = rx.or(ry).unwrap_or(0.0).clamp(0.0, width / 2.0);
             let ry = ry.or(Some(rx)).unwrap_or(0.0).clamp(0.0, height / 2.0);

@@ -1,0 +1,17 @@
+//! Campaigns of random and broken input: seeded, bounded, and counted. `npm test` runs a share of each, and
+//! `HOSTILE=20 cargo test --release --test native hostile -- --nocapture` twenty times as much, with its figures.
+
+mod estimate;
+mod polygons;
+
+/// How many times the share of `npm test` is tried.
+fn rounds() -> u64 {
+    std::env::var("HOSTILE").map_or(1, |text| text.parse().expect("HOSTILE is a whole number"))
+}
+
+/// A campaign's figures, printed when it runs at length.
+fn report(line: &str) {
+    if rounds() > 1 {
+        println!("{line}");
+    }
+}
