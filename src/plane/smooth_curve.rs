@@ -232,7 +232,7 @@ impl Tail {
         let last = sum(&sizes[m + 1 - eighth..]);
         let before = sum(&sizes[(m + 1).saturating_sub(2 * eighth).max(1)..m + 1 - eighth]);
         // Of few waves some may be absent by chance.
-        let ratio = (last / before).clamp((1.0 / m as f64).min(SLOWEST), SLOWEST);
+        let ratio = (last / before).clamp((4.0 / (m * m) as f64).min(SLOWEST), SLOWEST);
         Self { size: DOUBT * last * ratio / (1.0 - ratio), ratio }
     }
 
