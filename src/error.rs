@@ -129,13 +129,15 @@ pub enum Error {
     },
     /// Harmonic measure came out negative somewhere: the region could not be resolved in double precision.
     #[error(
-        "No trustworthy map of this region was found: a part of its boundary got the harmonic measure {mass:.2e}, where only rounding below {estimate:.1e} would be acceptable. Allow more unknowns, or move the center away from the boundary."
+        "No trustworthy map of this region was found: on edge {edge} (counted from 0) a part of the boundary got the harmonic measure {mass:.2e}, where only rounding below {estimate:.1e} would be acceptable. Widen what is narrow there, move the center away from it, or allow more unknowns."
     )]
     NegativeMass {
         /// The smallest mass of a panel.
         mass: f64,
         /// The error estimate that it exceeds.
         estimate: f64,
+        /// The edge on which it lies: from this vertex of the region to the next.
+        edge: usize,
     },
     /// A map so far off that it is none.
     #[error(

@@ -172,6 +172,20 @@ impl Polygon {
         self.tree.nearest(z, adjacent, distance).0.sqrt() / self.unit
     }
 
+    /// The nearest edge that lies in the direction of the unit vector `toward` as seen from `z`, give or take 60°, and its
+    /// distance; of edges nearer than `reach`.
+    #[must_use]
+    pub(crate) fn facing(&self, z: Complex64, toward: Complex64, reach: f64) -> Option<(usize, f64)> {
+        let (z, reach) = (z * self.unit, reach * self.unit);
+        let distance_sqr = |k: usize| {
+            let away = self.foot(z, k).1 - z;
+            let square = away.norm_sqr();
+            if (away * toward.conj()).re >= 0.5 * square.sqrt() && square > 0.0 { square } else { f64::INFINITY }
+        };
+        let (square, edge) = self.tree.nearest(z, reach * reach, distance_sqr);
+        Some((edge?, square.sqrt() / self.unit))
+    }
+
     /// The point of edge `k` nearest to `z` (both scaled), and its share of the edge.
     fn foot(&self, z: Complex64, k: usize) -> (f64, Complex64) {
         let (a, b) = self.scaled_edge(k);

@@ -24,11 +24,11 @@ pub fn move_center(
     let system = Arc::clone(&previous.system);
     let center = center * system.discretisation.boundary.unit;
     let mut outcome = system.check(center, moved_measure(previous, center));
-    if estimate_of(&outcome) > options.tolerance {
+    if estimate_of(&system.discretisation, &outcome) > options.tolerance {
         let tolerance = MOVE_SHARE * options.tolerance / ERROR_PER_RESIDUAL;
         outcome = system.solve(center, tolerance, Some(outcome.masses), progress)?;
     }
-    let error_estimate = estimate_of(&outcome);
+    let error_estimate = estimate_of(&system.discretisation, &outcome);
     let stop = if error_estimate <= options.tolerance { Stop::Tolerance } else { Stop::SamePanels };
     finish(system, center, outcome, error_estimate, stop)
 }

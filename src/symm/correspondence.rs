@@ -18,7 +18,8 @@ pub struct BoundaryCorrespondence {
     starts: Vec<f64>,
     /// First panel of each edge; one more entry at the end.
     edge_starts: Vec<usize>,
-    smallest_mass: f64,
+    /// And its panel.
+    smallest_mass: (f64, usize),
 }
 
 impl BoundaryCorrespondence {
@@ -30,15 +31,17 @@ impl BoundaryCorrespondence {
         let total: f64 = masses.iter().sum();
         let mut coefficients = Vec::with_capacity(masses.len());
         let mut starts = vec![0.0];
-        let mut smallest_mass = f64::INFINITY;
-        for masses in masses.chunks_exact(p) {
+        let mut smallest_mass = (f64::INFINITY, 0);
+        for (q, masses) in masses.chunks_exact(p).enumerate() {
             let density: Vec<f64> =
                 masses.iter().zip(&order.panel.weights).map(|(mass, w)| 2.0 * mass / (w * total)).collect();
             for k in 0..p {
                 coefficients.push(order.panel.coefficient_row(k).iter().zip(&density).map(|(t, g)| t * g).sum());
             }
             let mass = masses.iter().sum::<f64>() / total;
-            smallest_mass = smallest_mass.min(mass);
+            if mass < smallest_mass.0 || mass.is_nan() {
+                smallest_mass = (mass, q);
+            }
             // Where the measure is below rounding its sign is noise: angles must not run backwards there.
             starts.push(starts[starts.len() - 1] + mass.max(0.0));
         }
@@ -59,9 +62,9 @@ impl BoundaryCorrespondence {
         &self.coefficients[q * self.p..][..self.p]
     }
 
-    /// The smallest mass of a panel: negative if the discretisation failed.
+    /// The smallest mass of a panel, negative or NaN if the discretisation failed, and that panel.
     #[must_use]
-    pub fn smallest_mass(&self) -> f64 {
+    pub fn smallest_mass(&self) -> (f64, usize) {
         self.smallest_mass
     }
 

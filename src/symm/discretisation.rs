@@ -3,6 +3,7 @@
 use super::order::Order;
 use super::panel::{Boundary, Panel};
 use super::rule::{PanelRule, Rules};
+use super::thin_walls::ThinWalls;
 use crate::plane::Complex64;
 use std::sync::Arc;
 
@@ -26,6 +27,8 @@ pub struct Discretisation {
     pub rules: Vec<Arc<PanelRule>>,
     /// Degrees and distances.
     pub order: Order,
+    /// Where the outside is thin.
+    pub walls: ThinWalls,
 }
 
 impl Discretisation {
@@ -33,7 +36,8 @@ impl Discretisation {
     #[must_use]
     pub fn new(boundary: Arc<Boundary>, panels: Vec<Panel>, rules: &mut Rules) -> Self {
         let panel_rules = panels.iter().map(|panel| rules.of(panel)).collect();
-        Self { boundary, panels, rules: panel_rules, order: rules.order.clone() }
+        let walls = ThinWalls::new(&boundary, &panels);
+        Self { boundary, panels, rules: panel_rules, order: rules.order.clone(), walls }
     }
 
     /// Number of unknown masses.

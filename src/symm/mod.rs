@@ -12,7 +12,8 @@
 //! In the order of the computation:
 //! - [`options`] says what is wanted;
 //! - [`panel`] cuts the boundary; [`order`] says how finely; [`rule`] integrates the logarithm over a panel,
-//!   from [`panel_blocks`] ([`log_moments`] when near); [`discretisation`] writes the equations;
+//!   from [`panel_blocks`] ([`log_moments`] when near); [`discretisation`] writes the equations; [`thin_walls`] says
+//!   where their residuals weigh most;
 //! - [`system`] solves them: by factorisation ([`lu`]) when small, else by iteration ([`gmres`]) with a preconditioner
 //!   ([`two_level`]) and products from stored entries ([`influence`]) or expansions ([`fast_multipole`], [`multipole`], [`clusters`]);
 //! - [`solve`] refines until the estimate meets the tolerance; [`center`] moves the center of what is solved;
@@ -45,4 +46,5 @@ pub mod smooth;
 pub mod solution;
 pub mod solve;
 pub mod system;
+mod thin_walls;
 pub mod two_level;

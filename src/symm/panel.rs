@@ -17,6 +17,7 @@ pub struct Boundary {
     pub clearances: Vec<f64>,
     /// Power of two: plane units × `unit` = units used here.
     pub unit: f64,
+    polygon: Polygon,
 }
 
 impl Boundary {
@@ -32,7 +33,7 @@ impl Boundary {
         let turn = |k: usize| (directions[k] * directions[(k + n - 1) % n].conj()).arg();
         let alpha = (0..n).map(|k| 1.0 - turn(k) / std::f64::consts::PI).collect();
         let clearances = (0..n).map(|k| polygon.clearance(k) * unit).collect();
-        Self { vertices, directions, lengths, alpha, clearances, unit }
+        Self { vertices, directions, lengths, alpha, clearances, unit, polygon: polygon.clone() }
     }
 
     /// Number of vertices.
@@ -52,6 +53,15 @@ impl Boundary {
     #[must_use]
     pub fn previous(&self, k: usize) -> usize {
         (k + self.len() - 1) % self.len()
+    }
+
+    /// The edge behind the middle of a panel, outside the region, and its distance, if that is at most `reach`.
+    #[must_use]
+    pub fn behind(&self, panel: &Panel, reach: f64) -> Option<(usize, f64)> {
+        let middle = self.vertices[panel.corner] + panel.direction * (0.5 * (panel.start + panel.end));
+        let along = if panel.outgoing { panel.direction } else { -panel.direction };
+        let (edge, distance) = self.polygon.facing(middle / self.unit, -Complex64::i() * along, reach / self.unit)?;
+        Some((edge, distance * self.unit))
     }
 
     /// The exponent a of the corner variable τ = s^(1/a) at vertex `k`.
@@ -105,6 +115,18 @@ impl Panel {
         if self.exponent == 1.0 { share } else { share.powf(1.0 / self.exponent) }
     }
 
+    /// dτ/ds at distance `s` from the corner; infinite at it where τ is a fractional power.
+    #[must_use]
+    pub fn slope_at(&self, s: f64) -> f64 {
+        if self.exponent == 1.0 { 1.0 / self.length() } else { self.tau_at(s) / (self.exponent * (s - self.start)) }
+    }
+
+    /// Whether doubles can tell places on its halves apart.
+    #[must_use]
+    pub fn can_be_halved(&self) -> bool {
+        self.length() > SHORTEST * self.end
+    }
+
     /// Its two halves, in boundary order; only the one at the corner keeps the corner variable.
     #[must_use]
     pub fn halves(&self) -> [Self; 2] {
@@ -114,6 +136,9 @@ impl Panel {
         if self.outgoing { [near, far] } else { [far, near] }
     }
 }
+
+/// Shortest panel, measured in its distance from the corner.
+const SHORTEST: f64 = 1e-13;
 
 /// First panels: at every corner one of `kappa` × its clearance, then panels that double in length up to mid-edge.
 /// In boundary order from vertex 0.

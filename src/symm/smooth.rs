@@ -195,9 +195,10 @@ impl SmoothSolution {
             let needed = curve.points_for(curve.uncertainty() * USEFUL_ESTIMATE / self.curve_error);
             return Err(Error::TooFewPoints { given, needed });
         }
-        let density = self.smallest_density();
+        let (density, node) = self.smallest_density();
         if density < -estimate || !self.residual.is_finite() {
-            return Err(Error::NegativeMass { mass: density, estimate });
+            let edge = node * self.curve().points().len() / self.unknowns();
+            return Err(Error::NegativeMass { mass: density, estimate, edge });
         }
         if useless {
             return Err(Error::Inaccurate { estimate });
@@ -261,15 +262,18 @@ impl SmoothSolution {
         t
     }
 
-    /// Smallest mass between two nodes.
-    fn smallest_density(&self) -> f64 {
+    /// Smallest mass between two nodes, and the first of them.
+    fn smallest_density(&self) -> (f64, usize) {
         let n = self.system.len();
         let mass = |slope: &Complex64| slope.norm();
         let signed = |(slope, value): (&Complex64, &Complex64)| {
             let along = (slope / (Complex64::i() * value)).re;
             if along < 0.0 { -mass(slope) } else { along }
         };
-        self.slopes.iter().zip(&self.values).map(signed).fold(f64::INFINITY, f64::min) / n as f64
+        let densities = self.slopes.iter().zip(&self.values).map(signed).enumerate();
+        let least = |least: (f64, usize), (node, density)| if density < least.0 { (density, node) } else { least };
+        let (density, node) = densities.fold((f64::INFINITY, 0), least);
+        (density / n as f64, node)
     }
 
     /// Conformal radius in plane units: exp ∫ log|y − z₀| dμ.

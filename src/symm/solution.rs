@@ -3,6 +3,8 @@
 //! Log f_h/f, the logarithm of the computed map over the exact one, is analytic in the region, and on the boundary its real
 //! part is c minus the equation's residual r. By the maximum principle |r| bounds the error of log|f|, and its conjugate
 //! function the error of arg f: the residual at points that were not collocated is an error estimate, up to a modest factor.
+//! θ on the boundary is read from the masses, which feel the residual outside the region as well: see
+//! [`super::thin_walls`].
 
 use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::Discretisation;
@@ -91,8 +93,8 @@ impl Solution {
 }
 
 /// What the residuals say of the map's error, apart from rounding in the system.
-pub(super) fn estimate_of(outcome: &SystemSolution) -> f64 {
-    ERROR_PER_RESIDUAL * outcome.residual() + ROUNDING
+pub(super) fn estimate_of(discretisation: &Discretisation, outcome: &SystemSolution) -> f64 {
+    ERROR_PER_RESIDUAL * outcome.residual() + discretisation.walls.error(&outcome.residuals) + ROUNDING
 }
 
 /// A solution with its evidence, unless its masses show that it is none.
@@ -106,9 +108,11 @@ pub(super) fn finish(
     let residual = outcome.residual();
     let masses = outcome.masses;
     let correspondence = BoundaryCorrespondence::new(&system.discretisation, &masses);
-    let mass = correspondence.smallest_mass();
-    if mass < -error_estimate || !residual.is_finite() {
-        return Err(Error::NegativeMass { mass, estimate: error_estimate });
+    let (mass, q) = correspondence.smallest_mass();
+    if mass < -error_estimate || !(mass + residual).is_finite() {
+        let worst = outcome.residuals.iter().position(|r| !r.is_finite()).unwrap_or(q);
+        let edge = system.discretisation.panels[worst].edge;
+        return Err(Error::NegativeMass { mass, estimate: error_estimate, edge });
     }
     let potential = LogPotential::new(&masses);
     Ok(Solution { system, center, masses, correspondence, potential, residual, error_estimate, stop })

@@ -7,7 +7,7 @@ use super::order::Order;
 use super::panel::{Boundary, Panel, initial_panels};
 use super::rule::Rules;
 use super::solution::{ERROR_PER_RESIDUAL, estimate_of, finish};
-use super::system::System;
+use super::system::{System, SystemSolution};
 use crate::plane::{Complex64, Region};
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -23,8 +23,13 @@ const REFINE_SHARE: f64 = 0.3;
 /// The linear systems are solved to this share of it: between the walls of a thin slot the potential hardly sees
 /// opposite masses, so what the iteration leaves there weighs a thousand times more in the map.
 const ITERATION_SHARE: f64 = 1e-3;
-/// Below this, a residual that refining did not halve is taken for rounding.
+/// Below this, a residual is taken for rounding if refining left more than a share of the estimate.
 const STAGNATION_BELOW: f64 = 1e-10;
+/// That share.
+const STAGNATION_SHARE: f64 = 0.9;
+/// While panels are still being halved, the systems are solved to this share of the acceptable residual, less where thin walls
+/// make it weigh more.
+const ROUGH_SHARE: f64 = 0.05;
 /// Corner panels reach this far, measured in the clearance of their corner.
 const KAPPA: f64 = 1.0;
 
@@ -36,7 +41,7 @@ pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Res
     options.validate()?;
     let boundary = Arc::new(Boundary::new(region.polygon()));
     let center = region.center() * boundary.unit;
-    let panels = initial_panels(&boundary, KAPPA);
+    let panels = facing(&boundary, initial_panels(&boundary, KAPPA), center);
     let mut rules = Rules::new(order_for(options, panels.len())?);
     let discretisation = Discretisation::new(boundary, panels, &mut rules);
     let system = Arc::new(System::new(discretisation, progress)?);
@@ -70,34 +75,75 @@ fn adapt(
     progress: Progress,
 ) -> Result<Solution> {
     let acceptable = options.tolerance / ERROR_PER_RESIDUAL;
-    let mut previous_residual = f64::INFINITY;
+    let mut previous_estimate = f64::INFINITY;
     loop {
-        let outcome = system.solve(center, ITERATION_SHARE * acceptable, guess.take(), progress)?;
-        let residual = outcome.residual();
-        let from_residual = estimate_of(&outcome);
+        let weight = system.discretisation.walls.largest_weight();
+        let fine = ITERATION_SHARE * acceptable / (0.01 * weight).max(1.0);
+        let rough = fine.max(ROUGH_SHARE * acceptable / weight);
+        let mut outcome = system.solve(center, rough, guess.take(), progress)?;
+        let mut panels = refine(&system.discretisation, &outcome.residuals, acceptable);
+        let ends = |outcome: &SystemSolution, panels: &[Panel]| {
+            let estimate = estimate_of(&system.discretisation, outcome);
+            estimate <= options.tolerance
+                || panels.len() == system.discretisation.panels.len()
+                || panels.len() * rules.order.p() > options.max_unknowns
+                || estimate > STAGNATION_SHARE * previous_estimate && outcome.residual() < STAGNATION_BELOW
+        };
+        if ends(&outcome, &panels) {
+            outcome = system.solve(center, fine, Some(outcome.masses), progress)?;
+            panels = refine(&system.discretisation, &outcome.residuals, acceptable);
+        }
+        let from_residual = estimate_of(&system.discretisation, &outcome);
         let from_noise =
             if from_residual < CHECK_ROUNDING_BELOW { NOISE * system.noise_amplification(progress)? } else { 0.0 };
         let error_estimate = from_residual + from_noise;
-        let discretisation = &system.discretisation;
-        let panels = refine(&discretisation.panels, &outcome.residuals, REFINE_SHARE * acceptable);
-        let at_rounding =
-            residual > 0.5 * previous_residual && residual < STAGNATION_BELOW || from_noise > from_residual;
         let stop = if error_estimate <= options.tolerance {
             Some(Stop::Tolerance)
-        } else if at_rounding || panels.len() == discretisation.panels.len() {
-            Some(Stop::Stagnation)
+        } else if !ends(&outcome, &panels) && from_noise <= from_residual {
+            None
         } else if panels.len() * rules.order.p() > options.max_unknowns {
             Some(Stop::MaxUnknowns)
         } else {
-            None
+            Some(Stop::Stagnation)
         };
         if let Some(stop) = stop {
             return finish(system, center, outcome, error_estimate, stop);
         }
-        previous_residual = residual;
-        let refined = Discretisation::new(Arc::clone(&discretisation.boundary), panels, &mut rules);
-        system = Arc::new(System::new(refined, progress)?);
+        previous_estimate = from_residual;
+        guess = Some(carried(&system.discretisation, &outcome.masses, &panels));
+        let boundary = Arc::clone(&system.discretisation.boundary);
+        // Its matrix is not needed any more, and the next one needs its memory.
+        drop(system);
+        system = Arc::new(System::new(Discretisation::new(boundary, panels, &mut rules), progress)?);
     }
+}
+
+/// Masses on panels → on the nodes of the same panels, some of which are halved.
+fn carried(from: &Discretisation, masses: &[f64], to: &[Panel]) -> Vec<f64> {
+    let gauss = &from.order.panel;
+    let p = gauss.len();
+    let mut carried = Vec::with_capacity(to.len() * p);
+    let mut basis = vec![0.0; p];
+    let mut next = to.iter();
+    for (panel, masses) in from.panels.iter().zip(masses.chunks_exact(p)) {
+        let density: Vec<f64> = masses.iter().zip(&gauss.weights).map(|(mass, w)| mass / w).collect();
+        let Some(first) = next.next() else { break };
+        if first == panel {
+            carried.extend_from_slice(masses);
+            continue;
+        }
+        for half in [Some(first), next.next()].into_iter().flatten() {
+            for (t, w) in gauss.nodes.iter().zip(&gauss.weights) {
+                let s = half.distance_at(0.5 * (t + 1.0));
+                let tau = panel.tau_at(s);
+                gauss.lagrange(2.0 * tau - 1.0, &mut basis);
+                // s is a power of τ on the panel and on the half at its corner; dτ' is the half's.
+                let stretch = panel.slope_at(s) / half.slope_at(s);
+                carried.push(w * stretch * basis.iter().zip(&density).map(|(b, g)| b * g).sum::<f64>());
+            }
+        }
+    }
+    carried
 }
 
 /// Unknowns a panel and digits of quadrature that reach a tolerance with the least work (measured), or as many unknowns as
@@ -124,10 +170,40 @@ fn order_for(options: &SolveOptions, panels: usize) -> Result<Order> {
     Ok(Order::new(p, (digits + 3.0).min(15.5)))
 }
 
-fn refine(panels: &[Panel], residuals: &[f64], acceptable: f64) -> Vec<Panel> {
-    panels
-        .iter()
-        .zip(residuals)
-        .flat_map(|(panel, residual)| if *residual > acceptable { panel.halves().to_vec() } else { vec![*panel] })
-        .collect()
+/// Halves what is longer than its distance from the center: there the density is Poisson's kernel, whatever the region.
+fn facing(boundary: &Boundary, panels: Vec<Panel>, center: Complex64) -> Vec<Panel> {
+    let mut facing = Vec::with_capacity(panels.len());
+    let mut open: Vec<Panel> = panels.into_iter().rev().collect();
+    while let Some(panel) = open.pop() {
+        let from_corner = (center - boundary.vertices[panel.corner]) * panel.direction.conj();
+        let foot = from_corner.re.clamp(panel.start, panel.end);
+        if panel.can_be_halved() && panel.length() > (from_corner - foot).norm() {
+            let [first, second] = panel.halves();
+            open.extend([second, first]);
+        } else {
+            facing.push(panel);
+        }
+    }
+    facing
+}
+
+/// Halves the panels whose residuals are above their share of the acceptable one, or if there are none, above a smaller share.
+fn refine(discretisation: &Discretisation, residuals: &[f64], acceptable: f64) -> Vec<Panel> {
+    let panels = &discretisation.panels;
+    let weighted = |q: usize| residuals[q] * discretisation.walls.weight(q);
+    let mut refined = Vec::with_capacity(panels.len());
+    for share in [1.0, 0.3, 0.1].map(|share| share * REFINE_SHARE * acceptable) {
+        refined.clear();
+        for (q, panel) in panels.iter().enumerate() {
+            if weighted(q) > share && panel.can_be_halved() {
+                refined.extend(panel.halves());
+            } else {
+                refined.push(*panel);
+            }
+        }
+        if refined.len() > panels.len() {
+            break;
+        }
+    }
+    refined
 }

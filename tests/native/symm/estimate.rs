@@ -1,8 +1,10 @@
 //! The error estimate is itself an answer: never below the true error; never more than a hundred times
 //! above what is known of it, nor in the median above the truth.
 
-use crate::support::{EXACT_CASES, case, exact, largest, largest_difference, points, polygon, solve};
-use conformal_warp::{Complex64, Region};
+use crate::support::{
+    EXACT_CASES, angle_error, case, complex, exact, largest, largest_difference, points, polygon, solve,
+};
+use conformal_warp::{Complex64, Region, Stop};
 
 fn regions() -> Vec<(String, Region)> {
     let names = EXACT_CASES.iter().chain(&["neck", "slot", "spike", "rect10", "rect20"]);
@@ -46,4 +48,30 @@ fn estimate_brackets_the_true_error() {
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
     assert!((1.0..=20.0).contains(&median), "{median}\n{report}");
+}
+
+/// A wall that ends in a very short edge between two re-entrant corners: opposite masses on its two faces hardly show in the
+/// potential, so its tip's angle is wrong by far more than the residual.
+#[test]
+fn tips_of_thin_walls_are_in_the_estimate() {
+    #[derive(serde::Deserialize)]
+    struct Fault {
+        boundary: Vec<[f64; 2]>,
+        center: [f64; 2],
+        expected: Expected,
+    }
+    #[derive(serde::Deserialize)]
+    struct Expected {
+        angles: Vec<f64>,
+    }
+    let fault: Fault =
+        serde_json::from_str(include_str!("../../fixtures/faults/estimate_too_low_wall_tips.json")).unwrap();
+    let region = polygon(&points(&fault.boundary), complex(fault.center));
+    for tolerance in [1e-3, 1e-4, 1e-6, 1e-8, 1e-10] {
+        let map = solve(&region, tolerance);
+        assert_eq!(map.stop(), Stop::Tolerance);
+        let error = largest(map.angles().iter().zip(&fault.expected.angles).map(|(a, b)| angle_error(*a, *b)));
+        let estimate = map.error_estimate();
+        assert!(error <= estimate && estimate <= tolerance, "{tolerance:e}: error {error:e}, estimate {estimate:e}");
+    }
 }

@@ -201,3 +201,44 @@ fn stopping_short_is_said() {
     let error = largest_difference(&map, &solve(&region, 1e-12));
     assert!(error <= map.error_estimate(), "{error:e} above {:e}", map.error_estimate());
 }
+
+/// Seen from a center at distance d above the middle of a long edge, the region is a half plane: the radius is 2d.
+#[test]
+fn center_next_to_an_edge() {
+    let square = points(&[[-1.0, 0.0], [1.0, 0.0], [1.0, 2.0], [-1.0, 2.0]]);
+    for distance in [1e-9, 1e-11, 1e-12] {
+        let mut iterations = 0;
+        let map = RiemannMap::solve(&polygon(&square, c(0.25, distance)), &SolveOptions::default(), &mut |stage, _| {
+            iterations += usize::from(stage == "solve");
+            true
+        })
+        .unwrap();
+        assert_eq!(map.stop(), Stop::Tolerance, "{distance:e}");
+        let radius = map.conformal_radius() / (2.0 * distance) - 1.0;
+        assert!(radius.abs() < 1e-8, "{distance:e}: radius off by {radius:e}");
+        assert!(iterations <= 60 && map.unknowns() <= 1500, "{iterations} iterations, {} unknowns", map.unknowns());
+    }
+}
+
+/// Corridors: what is far from the center costs its unknowns, and no rounds of its own.
+#[test]
+fn combs_take_few_iterations() {
+    let teeth = 100;
+    let mut comb = vec![[0.0, -1.0], [2.0 * f64::from(teeth), -1.0]];
+    for k in (0..teeth).rev() {
+        let x = 2.0 * f64::from(k);
+        comb.extend([[x + 1.5, 0.0], [x + 1.5, 3.0], [x + 0.5, 3.0], [x + 0.5, 0.0]]);
+    }
+    comb.push([0.0, 0.0]);
+    comb.insert(2, [2.0 * f64::from(teeth), 0.0]);
+    let region = polygon(&points(&comb), c(f64::from(teeth), -0.5));
+    let mut iterations = 0;
+    let options = SolveOptions { tolerance: 1e-3, ..SolveOptions::default() };
+    let map = RiemannMap::solve(&region, &options, &mut |stage, _| {
+        iterations += usize::from(stage == "solve");
+        true
+    })
+    .unwrap();
+    assert_eq!(map.stop(), Stop::Tolerance);
+    assert!(iterations <= 70 && map.unknowns() <= 5500, "{iterations} iterations, {} unknowns", map.unknowns());
+}

@@ -1,0 +1,68 @@
+//! What the residual says of the map where the outside of the region is thin.
+//!
+//! The density is the jump of the normal derivative between the potential's inside and outside. Inside, the residual's
+//! conjugate function is an error of the map of about its size. Outside, between the two faces of a wall of width w, residuals
+//! r₊ and r₋ make a field (r₊ − r₋)/w, that is an error of θ by ∫ (r₊ − r₋)/w ds along the wall: masses that are opposite on its two
+//! faces hardly show in the potential.
+
+use super::panel::{Boundary, Panel};
+
+/// Of every panel, how the wall behind it amplifies its residual.
+#[derive(Clone, Debug)]
+pub struct ThinWalls {
+    /// Length over width of the wall; 0 where there is none or a thick one. Negative where the boundary comes back along it.
+    signed_slenderness: Vec<f64>,
+}
+
+/// Walls less slender than this do no harm: the estimate without them has a margin.
+const SLENDER: f64 = 0.5;
+/// Walls more slender than this are taken for cuts: their two faces mirror each other's panels, and the residuals cancel.
+const MOST_SLENDER: f64 = 1000.0;
+/// The two faces may add up.
+const FACES: f64 = 2.0;
+
+impl ThinWalls {
+    /// Looks behind every panel.
+    #[must_use]
+    pub fn new(boundary: &Boundary, panels: &[Panel]) -> Self {
+        let slenderness = |panel: &Panel| match boundary.behind(panel, panel.length() / SLENDER) {
+            Some((edge, width)) if panel.length() <= MOST_SLENDER * width => {
+                panel.length() / width * if edge >= panel.edge { 1.0 } else { -1.0 }
+            }
+            _ => 0.0,
+        };
+        Self { signed_slenderness: panels.iter().map(slenderness).collect() }
+    }
+
+    /// The largest error of θ that residuals (one a panel) make along a wall.
+    #[must_use]
+    pub fn error(&self, residuals: &[f64]) -> f64 {
+        let (mut here, mut largest) = (0.0, 0.0);
+        let mut sign = 1.0;
+        for (slenderness, residual) in self.signed_slenderness.iter().zip(residuals) {
+            if *slenderness == 0.0 {
+                continue;
+            }
+            if slenderness * sign < 0.0 {
+                (sign, here) = (-sign, 0.0);
+            }
+            here += FACES * slenderness.abs() * residual;
+            if here > largest || here.is_nan() {
+                largest = here;
+            }
+        }
+        largest
+    }
+
+    /// The factor of panel `q`'s residual, 1 where there is no thin wall.
+    #[must_use]
+    pub fn weight(&self, q: usize) -> f64 {
+        1.0 + self.signed_slenderness[q].abs()
+    }
+
+    /// The largest of these factors.
+    #[must_use]
+    pub fn largest_weight(&self) -> f64 {
+        1.0 + self.signed_slenderness.iter().fold(0.0, |largest, s| f64::max(largest, s.abs()))
+    }
+}
