@@ -59,7 +59,7 @@ pub mod warp;
 pub mod wasm;
 
 pub use cortex::{
-    CorticalImage, CorticalModel, Degrees, FieldPoint, Gaze, HalfDiskMap, Hemisphere, Landmark, Mirrored,
+    CorticalImage, CorticalModel, Degrees, FieldPoint, Gaze, HalfDiskMap, Hemisphere, Landmark, Mirrored, OutlineView,
     RetinoCorticalMap, VisualCortex,
 };
 pub use error::{Error, Result};

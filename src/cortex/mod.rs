@@ -24,6 +24,7 @@ mod mirrored;
 mod model;
 mod outline;
 mod retino_cortical;
+mod view;
 mod visual_cortex;
 
 pub use field::{Degrees, FieldPoint};
@@ -33,4 +34,5 @@ pub use landmark::Landmark;
 pub use mirrored::Mirrored;
 pub use model::CorticalModel;
 pub use retino_cortical::RetinoCorticalMap;
+pub use view::OutlineView;
 pub use visual_cortex::{CorticalImage, Hemisphere, VisualCortex};

@@ -1,7 +1,8 @@
 //! V1 of one hemisphere, whichever way its map was made.
 
 use super::model::twice_area;
-use super::{CorticalModel, Degrees, Gaze, Mirrored, RetinoCorticalMap};
+use super::view::UpsideDown;
+use super::{CorticalModel, Degrees, Gaze, Mirrored, OutlineView, RetinoCorticalMap};
 use crate::map::{Compose, Inverse, InvertibleMap, Jet, PlaneMap};
 use crate::plane::{Complex64, Frame, Region};
 use crate::{Error, Result};
@@ -49,6 +50,27 @@ impl VisualCortex {
     {
         let outline = region.boundary().to_vec();
         Self::of_left(Compose { outer: map, inner: Degrees.inverted() }, outline, hemisphere)
+    }
+
+    /// [`VisualCortex::from_outline`] of an outline that is seen from the side that `view` says. The map's landmark must have
+    /// been given as [`OutlineView::coordinate`] has it.
+    #[must_use]
+    pub fn from_view<M>(
+        map: RetinoCorticalMap<M>,
+        region: &Region,
+        view: OutlineView,
+        hemisphere: Hemisphere,
+    ) -> Self
+    where
+        RetinoCorticalMap<M>: InvertibleMap + 'static,
+    {
+        match view {
+            OutlineView::Mirrored => Self::from_outline(map, region, hemisphere),
+            OutlineView::Pial => {
+                let upright = Compose { outer: map, inner: Degrees.inverted() };
+                Self::of_left(UpsideDown(upright), region.boundary().to_vec(), hemisphere)
+            }
+        }
     }
 
     fn of_left(map: impl InvertibleMap + 'static, outline: Vec<Complex64>, hemisphere: Hemisphere) -> Self {
@@ -123,7 +145,7 @@ impl PlaneMap for VisualCortex {
         self.map.jets(points, jets);
     }
 
-    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
         Some(Box::new(Inverse(self)))
     }
 }

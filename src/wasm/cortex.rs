@@ -10,7 +10,7 @@ use super::prepared::PreparedWarp;
 use super::riemann::RiemannMap;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions};
-use crate::cortex::{self, CorticalModel, FieldPoint, Gaze, Hemisphere, Landmark, VisualCortex};
+use crate::cortex::{self, CorticalModel, FieldPoint, Gaze, Hemisphere, Landmark, OutlineView, VisualCortex};
 use crate::map::{InvertibleMap, Jet, PlaneMap};
 use crate::plane::{Complex64, Frame};
 use crate::warp::{Direction, Quality, WarpOptions, recovery};
@@ -65,6 +65,12 @@ pub struct LandmarkOptions {
     /// Which way the cortex runs there as one moves away from the fovea, parallel to the horizontal meridian: radians,
     /// counter-clockwise from the cortex plane's x axis.
     pub direction: f64,
+    /// From which side the outline is seen. V1 is a mirror image of the field: an outline of a measured brain, laid flat as it
+    /// is seen from outside ("pial"), has the lower field above, where the fovea is on the left. "mirrored" (the
+    /// default) has the upper field above, as the closed formulas do.
+    #[serde(default)]
+    #[tsify(optional)]
+    pub view: OutlineView,
     /// "left" (the default), as the outline is, or "right": its mirror image.
     #[serde(default)]
     #[tsify(optional)]
@@ -127,13 +133,13 @@ impl RetinoCorticalMap {
     ///
     /// Throws "invalid-map" if the landmark is not inside the right half of the field, or "invalid-option".
     pub fn outline(map: &RiemannMap, options: Ts<LandmarkOptions>) -> Result<Self, Failure> {
-        let LandmarkOptions { landmark, direction, hemisphere } = options::read(&options)?;
+        let LandmarkOptions { landmark, direction, view, hemisphere } = options::read(&options)?;
         let field = field_point(landmark.map(Into::into));
         let cortex = map.inner().region().center();
-        let landmark = Landmark { field: field.coordinate(), cortex, direction };
+        let landmark = Landmark { field: view.coordinate(field.coordinate()), cortex, direction };
         let chain = cortex::RetinoCorticalMap::new(map.inner().clone(), landmark)?;
         let landmark_error = Some(chain.landmark_error());
-        Ok(Self { cortex: VisualCortex::from_outline(chain, map.inner().region(), hemisphere), landmark_error })
+        Ok(Self { cortex: VisualCortex::from_view(chain, map.inner().region(), view, hemisphere), landmark_error })
     }
 
     /// The outline of V1 under a closed formula, a polygon of so many vertices in millimetres: a model, not a measurement.

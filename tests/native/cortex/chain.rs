@@ -3,8 +3,9 @@
 
 use crate::support::{largest, solve};
 use conformal_warp::{
-    Complex64, Compose, CorticalModel, Curve, FieldPoint, Frame, InvertibleMap, Jet, Light, Moebius, PlaneMap, Region,
-    RetinoCorticalMap, RiemannMap, Texture, Warp, WarpOptions, Wrap,
+    Complex64, Compose, CorticalModel, Curve, FieldPoint, Frame, Hemisphere, InvertibleMap, Jet, Landmark, Light,
+    Moebius, OutlineView, PlaneMap, Region, RetinoCorticalMap, RiemannMap, Texture, VisualCortex, Warp, WarpOptions,
+    Wrap,
 };
 
 fn jets(map: &impl PlaneMap, points: &[Complex64]) -> Vec<Jet> {
@@ -124,4 +125,30 @@ fn both_draw_the_same_picture() {
     let differing = exact.iter().zip(&found).filter(|(a, b)| a.abs_diff(**b) > 2).count();
     // Pixels at the rim, whose share of the cortex is sampled, may differ.
     assert!(differing < 200, "{differing} of {} bytes differ", exact.len());
+}
+
+/// An outline as it is seen from outside is the mirror image of the formula's: lower field up.
+#[test]
+fn an_outline_seen_from_outside_has_the_lower_field_above() {
+    let model = CorticalModel::POLIMENI_2006;
+    let field = FieldPoint::BLIND_SPOT.coordinate();
+    let plain = model.landmark(field);
+    let (outline, seen) = (model.outline(160), |w: Complex64| w.conj());
+    let cortex_of = |boundary: &[Complex64], landmark: Landmark, view: OutlineView| {
+        let region = Region::new(boundary, Curve::Polygon, landmark.cortex, outline[0]).expect("the outline is simple");
+        let chain = RetinoCorticalMap::new(solve(&region, 1e-9), landmark).expect("the blind spot is inside");
+        VisualCortex::from_view(chain, &region, view, Hemisphere::Left)
+    };
+    let mirrored = cortex_of(&outline, plain, OutlineView::Mirrored);
+    let turned: Vec<Complex64> = outline.iter().copied().map(seen).collect();
+    let view = OutlineView::Pial;
+    let landmark = Landmark { field: view.coordinate(field), cortex: plain.cortex.conj(), direction: -plain.direction };
+    let pial = cortex_of(&turned, landmark, view);
+    for z in [(15.0, -1.5), (3.0, 2.0), (40.0, -30.0), (8.0, 20.0)].map(|(x, y)| Complex64::new(x, y)) {
+        let (a, b) = (mirrored.jet(z), pial.jet(z));
+        assert!((a.value.conj() - b.value).norm() < 1e-5, "{z}: {} and {}", a.value, b.value);
+        assert!((a.dz.conj() - b.dzbar).norm() < 1e-5 * a.dz.norm(), "{z}: {a:?} and {b:?}");
+        let back = (&pial).inverted().jet(b.value);
+        assert!((back.value - z).norm() < 1e-5 * z.norm(), "{z} came back as {}", back.value);
+    }
 }
