@@ -1,6 +1,6 @@
 //! The visual field: directions as eccentricity and azimuth, as the stereographic coordinate, and in degrees.
 
-use crate::map::{InvertibleMap, Jet, PlaneMap, pointwise};
+use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap, pointwise};
 use crate::plane::Complex64;
 
 /// A direction of the visual field, in degrees.
@@ -66,6 +66,10 @@ impl PlaneMap for Degrees {
             let slope: f64 = 2.0 / (1.0 + rho * rho);
             rho.is_finite().then(|| radial(s, rho, ratio.to_degrees(), slope.to_degrees()))
         });
+    }
+
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(Inverse(self)))
     }
 }
 

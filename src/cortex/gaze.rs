@@ -1,7 +1,7 @@
 //! An eye that looks at a picture: perspective and fixation.
 
 use super::FieldPoint;
-use crate::map::{InvertibleMap, Jet, Moebius, PlaneMap, pointwise};
+use crate::map::{Inverse, InvertibleMap, Jet, Moebius, PlaneMap, pointwise};
 use crate::plane::{Complex64, Frame};
 use crate::{Error, Result};
 
@@ -95,6 +95,10 @@ fn gnomonic(s: Complex64) -> Jet {
 impl PlaneMap for Gaze {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         pointwise(points, jets, |point| point.is_finite().then(|| self.to_field(point)));
+    }
+
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(Inverse(self)))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Half disk → disk: the report's T = H∘G∘F.
 
-use crate::map::{InvertibleMap, Jet, PlaneMap, pointwise};
+use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap, pointwise};
 use crate::plane::Complex64;
 use crate::{Error, Result};
 
@@ -94,6 +94,10 @@ fn contains(s: Complex64) -> bool {
 impl PlaneMap for HalfDiskMap {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         pointwise(points, jets, |s| contains(s).then(|| self.forward(s)));
+    }
+
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(Inverse(self)))
     }
 }
 

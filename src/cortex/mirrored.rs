@@ -24,6 +24,10 @@ impl<M: PlaneMap> PlaneMap for Mirrored<M> {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         between_reflections(points, jets, |points, jets| self.0.jets(points, jets));
     }
+
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(Mirrored(self.0.inverse_map()?)))
+    }
 }
 
 impl<M: InvertibleMap> InvertibleMap for Mirrored<M> {

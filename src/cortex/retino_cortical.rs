@@ -3,7 +3,7 @@
 use super::half_disk::HalfDiskMap;
 use super::landmark::Landmark;
 use crate::map::compose::chain;
-use crate::map::{InvertibleMap, Jet, PlaneMap};
+use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap};
 use crate::plane::Complex64;
 use crate::{Error, Result};
 
@@ -73,6 +73,10 @@ impl<M: InvertibleMap> PlaneMap for RetinoCorticalMap<M> {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         let (first, second) = (&self.half_disk, &self.outline);
         chain(points, jets, |z, jets| first.jets(z, jets), |z, jets| second.inverse_jets(z, jets));
+    }
+
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(Inverse(self)))
     }
 }
 

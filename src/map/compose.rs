@@ -28,6 +28,10 @@ impl<F: PlaneMap, G: PlaneMap> PlaneMap for Compose<F, G> {
         let (first, second) = (&self.inner, &self.outer);
         chain(points, jets, |z, jets| first.jets(z, jets), |z, jets| second.jets(z, jets));
     }
+
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(Compose { outer: self.inner.inverse_map()?, inner: self.outer.inverse_map()? }))
+    }
 }
 
 impl<F: InvertibleMap, G: InvertibleMap> InvertibleMap for Compose<F, G> {

@@ -40,6 +40,10 @@ impl<M: InvertibleMap> PlaneMap for Inverse<M> {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         self.0.inverse_jets(points, jets);
     }
+
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        Some(Box::new(&self.0))
+    }
 }
 
 impl<M: InvertibleMap> InvertibleMap for Inverse<M> {

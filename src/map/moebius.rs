@@ -164,7 +164,7 @@ impl PlaneMap for Moebius {
         });
     }
 
-    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
         Some(Box::new(Inverse(self)))
     }
 }

@@ -12,8 +12,10 @@ pub trait PlaneMap {
     /// The jet of a point depends on nothing but that point.
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]);
 
-    /// The inverse map, if it can be evaluated as readily as the map: a push-forward then is its pull-back.
-    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+    /// The inverse map, if the map has one that can be evaluated: a push-forward is its pull-back.
+    ///
+    /// Every [`InvertibleMap`](super::InvertibleMap) says so here, and so do maps that are made of such.
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
         None
     }
 
@@ -37,7 +39,17 @@ impl<M: PlaneMap + ?Sized> PlaneMap for &M {
         (**self).jets(points, jets);
     }
 
-    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
-        (**self).inverse()
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        (**self).inverse_map()
+    }
+}
+
+impl<M: PlaneMap + ?Sized> PlaneMap for Box<M> {
+    fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
+        (**self).jets(points, jets);
+    }
+
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
+        (**self).inverse_map()
     }
 }

@@ -145,7 +145,7 @@ impl PlaneMap for RegionMap {
         self.way().jets(points, jets);
     }
 
-    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
         Some(Box::new(Inverse(self)))
     }
 }

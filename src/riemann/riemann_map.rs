@@ -253,7 +253,7 @@ impl PlaneMap for RiemannMap {
         }
     }
 
-    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
         Some(Box::new(Inverse(self)))
     }
 }

@@ -16,7 +16,12 @@ pub enum Direction {
     /// The view's point p shows the texture at f(p).
     #[default]
     PullBack,
-    /// The view's point f(z) shows the texture at z.
+    /// The view's point f(z) shows the texture at z, wherever the map takes it from: beyond its frame the texture goes on
+    /// as its [`Wrap`] mode says.
+    ///
+    /// A map that knows its inverse ([`PlaneMap::inverse_map`](crate::PlaneMap::inverse_map)), as every invertible one does,
+    /// is pulled back by that. Of any other, a formula say, the image of the frame alone is drawn; where sheets of it
+    /// overlap, the lowest point of the texture is seen.
     PushForward,
 }
 

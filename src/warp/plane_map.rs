@@ -24,7 +24,7 @@ fn footprints(
 ) -> Result<()> {
     match options.direction {
         Direction::PullBack => pull_back(map, texture, options, each),
-        Direction::PushForward => match map.inverse() {
+        Direction::PushForward => match map.inverse_map() {
             Some(inverse) => pull_back(&*inverse, texture, options, each),
             None => push_forward(map, texture, options, each),
         },

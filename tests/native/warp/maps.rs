@@ -2,7 +2,11 @@
 
 use crate::support::golden;
 use crate::support::picture::{Picture, Truth, psnr};
-use conformal_warp::{Complex64, Direction, Frame, Jet, Light, PlaneMap, Quality, Texture, Warp, WarpOptions, Wrap};
+use conformal_warp::{
+    Complex64, Compose, CorticalModel, Curve, Degrees, Direction, Frame, Gaze, HalfDiskMap, Hemisphere, Inverse,
+    InvertibleMap, Jet, Landmark, Light, Mirrored, Moebius, PlaneMap, Quality, Region, RegionMap, RetinoCorticalMap,
+    RiemannMap, SolveOptions, Texture, VisualCortex, Warp, WarpOptions, Wrap,
+};
 use std::f64::consts::PI;
 
 const SIDE: usize = 256;
@@ -207,6 +211,52 @@ fn check_push(
             "{what}, {quality:?}: {covered} pixels covered, not {area}"
         );
     }
+}
+
+/// Every invertible map says that it is one, and pushes a picture as its inverse pulls it back.
+#[test]
+fn every_invertible_map_pushes_by_its_inverse() {
+    fn check(what: &str, map: &impl InvertibleMap, shown: Frame, view: Frame) {
+        let picture = gradient();
+        for wrap in [Wrap::Transparent, Wrap::Clamp, Wrap::Repeat, Wrap::Mirror] {
+            let texture = texture(&picture, wrap);
+            let push = options(shown, view, Direction::PushForward, Quality::Trilinear);
+            let pull = WarpOptions { direction: Direction::PullBack, ..push.clone() };
+            let expected = Inverse(map).warp(&texture, &pull).unwrap();
+            assert!(expected.iter().any(|&byte| byte > 0), "{what}: nothing is seen");
+            assert!(map.warp(&texture, &push).unwrap() == expected, "{what}, {wrap:?}");
+            assert!(
+                Inverse(Inverse(map)).warp(&texture, &push).unwrap() == expected,
+                "{what} inverted twice, {wrap:?}"
+            );
+        }
+    }
+    let c = Complex64::new;
+    let shift = Moebius::new(Complex64::ONE, c(0.3, 0.0), Complex64::ZERO, Complex64::ONE).unwrap();
+    let (unit, wide) = (frame(0.0, 0.0, 2.0, SIDE), frame(0.0, 0.0, 3.0, 90));
+    check("Moebius", &Moebius::cayley(), frame(0.0, 1.0, 2.0, SIDE), wide);
+    check("Compose", &Compose { outer: Moebius::cayley(), inner: shift }, frame(0.0, 1.0, 2.0, SIDE), wide);
+    check("HalfDiskMap", &HalfDiskMap::new(c(0.3, 0.1), 0.4).unwrap(), unit, wide);
+    let (field, cortex) = (frame(0.0, 0.0, 60.0, SIDE), frame(20.0, 0.0, 80.0, 90));
+    let model = CorticalModel::POLIMENI_2006;
+    check("CorticalModel", &model, field, cortex);
+    check("Mirrored", &Mirrored(model), field, frame(-20.0, 0.0, 80.0, 90));
+    let visual = VisualCortex::from_model(model, Hemisphere::Right);
+    check("VisualCortex", &visual, field, frame(-20.0, 0.0, 80.0, 90));
+    check("Degrees", &Degrees, unit, frame(0.0, 0.0, 120.0, 90));
+    let gaze = Gaze::new(&unit, 70.0, c(0.2, 0.1)).unwrap();
+    check("Gaze", &gaze, unit, frame(0.0, 0.0, 1.0, 90));
+    check("CorticalImage", &visual.seeing(gaze), frame(-20.0, 0.0, 80.0, SIDE), wide);
+    let square = [c(-1.0, -1.0), c(1.0, -1.0), c(1.0, 1.0), c(-1.0, 1.0)];
+    let solved = |corners: &[Complex64]| {
+        let region = Region::new(corners, Curve::Polygon, Complex64::ZERO, corners[0]).unwrap();
+        RiemannMap::solve(&region, &SolveOptions { tolerance: 1e-6, ..SolveOptions::default() }, &mut |_, _| true)
+    };
+    let (first, second) = (solved(&square).unwrap(), solved(&square.map(|z| c(1.4 * z.re, z.im))).unwrap());
+    check("RiemannMap", &first, unit, wide);
+    check("RegionMap", &RegionMap::between(&first, &second), unit, wide);
+    let landmark = Landmark { field: c(0.3, 0.1), cortex: Complex64::ZERO, direction: 0.2 };
+    check("RetinoCorticalMap", &RetinoCorticalMap::new(first, landmark).unwrap(), unit, wide);
 }
 
 #[test]
