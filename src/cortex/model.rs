@@ -68,7 +68,7 @@ impl CorticalModel {
     /// The same model of the field up to another eccentricity than 90 degrees.
     ///
     /// # Errors
-    /// [`Error::InvalidMap`] unless it is positive and finite.
+    /// [`Error::InvalidMap`] unless it is positive and at most 180.
     pub fn up_to(self, eccentricity: f64) -> Result<Self> {
         Self { extent: eccentricity, ..self }.checked()
     }
@@ -78,6 +78,10 @@ impl CorticalModel {
     /// # Errors
     /// [`Error::InvalidMap`] unless it is positive and finite.
     pub fn with_area(self, area: f64) -> Result<Self> {
+        if !area.is_finite() || area <= 0.0 {
+            let reason = "its area must be a positive number of square millimetres";
+            return Err(Error::InvalidMap { what: "A cortical model", reason });
+        }
         Self { k: self.k * (area / self.area_within(self.extent)).sqrt(), ..self }.checked()
     }
 
@@ -88,8 +92,8 @@ impl CorticalModel {
             "it needs k > 0 and 0 < a < b"
         } else if !positive(shear) || shear >= 2.0 {
             "its shear must lie between 0 and 2"
-        } else if !positive(extent) {
-            "its largest eccentricity must be a positive number of degrees"
+        } else if !positive(extent) || extent > 180.0 {
+            "its largest eccentricity must be more than 0 and at most 180 degrees"
         } else {
             return Ok(self);
         };
@@ -216,7 +220,7 @@ impl PlaneMap for CorticalModel {
         pointwise(points, jets, |z| self.contains(z).then(|| self.forward(z)));
     }
 
-    fn inverse(&self) -> Option<Box<dyn PlaneMap + '_>> {
+    fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
         Some(Box::new(Inverse(self)))
     }
 }
@@ -271,6 +275,20 @@ mod tests {
             assert!((scaled.parameters()[0] / k - 1.0).abs() < 0.01, "{:?}", scaled.parameters());
             assert!((scaled.area_within(90.0) / area - 1.0).abs() < 1e-12);
         }
+    }
+
+    #[test]
+    fn what_cannot_be_is_refused_for_its_own_reason() {
+        let model = CorticalModel::POLIMENI_2006;
+        for area in [-3.0, 0.0, f64::NAN, f64::INFINITY] {
+            let refused = model.with_area(area).unwrap_err().to_string();
+            assert!(refused.contains("area") && !refused.contains('k'), "{refused}");
+        }
+        for extent in [200.0, 180.1, -1.0, f64::NAN] {
+            let refused = model.up_to(extent).unwrap_err().to_string();
+            assert!(refused.contains("eccentricity") && refused.contains("180"), "{refused}");
+        }
+        assert!(model.up_to(180.0).is_ok());
     }
 
     #[test]

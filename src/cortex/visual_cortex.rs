@@ -55,12 +55,7 @@ impl VisualCortex {
     /// [`VisualCortex::from_outline`] of an outline that is seen from the side that `view` says. The map's landmark must have
     /// been given as [`OutlineView::coordinate`] has it.
     #[must_use]
-    pub fn from_view<M>(
-        map: RetinoCorticalMap<M>,
-        region: &Region,
-        view: OutlineView,
-        hemisphere: Hemisphere,
-    ) -> Self
+    pub fn from_view<M>(map: RetinoCorticalMap<M>, region: &Region, view: OutlineView, hemisphere: Hemisphere) -> Self
     where
         RetinoCorticalMap<M>: InvertibleMap + 'static,
     {

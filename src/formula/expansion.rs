@@ -6,10 +6,13 @@ use super::operation::{Analytic, Binary, Unary};
 use super::parser::Step;
 use crate::plane::Complex64;
 use crate::{Error, Result};
-use std::f64::consts::TAU;
+use std::f64::consts::{LN_10, TAU};
 
 /// Most operations of a formula, its loops written out: what bounds the time that a point can take.
 pub const MOST_OPERATIONS: usize = 20_000;
+
+/// Below this, every whole number is a double of its own.
+const MOST_WHOLE: f64 = 9_007_199_254_740_992.0;
 
 /// The graph of a formula and the node of its value.
 pub fn expand(steps: &[Step]) -> Result<(Graph, NodeId)> {
@@ -78,6 +81,7 @@ impl Expansion {
     }
 
     fn call(&mut self, call: Call, arguments: usize) -> NodeId {
+        // The last argument, if it is one that may be left out, or mod's second one.
         let branch = (arguments == call.arguments().1 && arguments > 1).then(|| self.pop());
         match call {
             Call::Unary(operation) => {
@@ -91,6 +95,19 @@ impl Expansion {
                 let turn = self.graph.constant(Complex64::new(0.0, TAU));
                 let turns = self.graph.binary(Binary::Multiply, turn, k);
                 self.graph.binary(Binary::Add, log, turns)
+            }
+            Call::LogTen => {
+                let a = self.pop();
+                let log = self.graph.unary(Unary::Analytic(Analytic::Log), a);
+                let ten = self.graph.constant(LN_10.into());
+                self.graph.binary(Binary::Divide, log, ten)
+            }
+            Call::Modulo => {
+                let a = self.pop();
+                let quotient = self.graph.binary(Binary::Divide, a, branch.unwrap_or(a));
+                let whole = self.graph.unary(Unary::Analytic(Analytic::Floor), quotient);
+                let taken = self.graph.binary(Binary::Multiply, whole, branch.unwrap_or(a));
+                self.graph.binary(Binary::Subtract, a, taken)
             }
             Call::Sqrt => {
                 let a = self.pop();
@@ -167,7 +184,7 @@ impl Expansion {
     /// A bound must be known when the loop is written out.
     fn whole(&self, node: NodeId, position: usize) -> Result<i64> {
         match self.graph.constant_at(node) {
-            Some(value) if value.im == 0.0 && value.re.trunc() == value.re && value.re.abs() < 1e9 => {
+            Some(value) if value.im == 0.0 && value.re.trunc() == value.re && value.re.abs() < MOST_WHOLE => {
                 Ok(value.re as i64)
             }
             found => Err(Error::Syntax {

@@ -36,6 +36,8 @@ pub enum Token {
     Bar,
     /// `,`
     Comma,
+    /// `=`
+    Equals,
     /// The end of the text.
     End,
 }
@@ -135,6 +137,7 @@ impl Lexer {
             ')' | ']' => Token::Close,
             '|' | '∣' => Token::Bar,
             ',' | ';' => Token::Comma,
+            '=' => Token::Equals,
             other => {
                 return Err(Error::Syntax {
                     position: self.position,

@@ -27,6 +27,9 @@ use program::Program;
 ///   niceties: `−`, `·`, `×`, `z²`, `z⁻¹`, `√`, `z̄`.
 /// - `exp log sqrt pow`; `sin cos tan sec csc cot`, the same with `h`, and the inverses of all with `a` or `arc`
 ///   before the name; `gamma`; `conj re im arg abs`.
+/// - `x` and `y` are re(z) and im(z), `Z` is z and `I` is i, unless a parameter has the name; `f(z) =` may stand before
+///   all. `sin z`, `sin 2πz` and `sin²(z)` are read as in textbooks.
+/// - `log10`; `sinc(z)` = sin z / z; `floor`, of both parts; `mod(z, m)` = z − m floor(z/m).
 /// - Branches: `log(z, k)` = log z + 2πik, `sqrt(z, k)` = e^{iπk} √z, `pow(z, a, k)` = e^{2πiak} z^a.
 /// - `sum(n, 1, 10, z^n/n)`, `prod(n, from, to, …)` and `iterate(w, z, 8, w^2 + z)`, whose bounds are whole numbers.
 ///
@@ -84,6 +87,21 @@ impl FormulaMap {
         let values: Vec<Complex64> = params.iter().map(|&(_, value)| value).collect();
         let fixed = program.bind(&values);
         Ok(Self { text: text.to_string(), names, values, program, fixed })
+    }
+
+    /// The names that a formula uses and that mean nothing by themselves, in the order in which they first appear: what
+    /// [`FormulaMap::with_params`] must be given. Names that `sum`, `prod` and `iterate` bind are not among them.
+    ///
+    /// ```
+    /// use conformal_warp::FormulaMap;
+    /// assert_eq!(FormulaMap::parameters("t z + iterate(w, z, 3, w^2 + c) + x")?, ["t", "c"]);
+    /// # Ok::<(), conformal_warp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Syntax`] and [`Error::FormulaTooLarge`], as [`FormulaMap::new`].
+    pub fn parameters(text: &str) -> Result<Vec<String>> {
+        parser::parameters(text)
     }
 
     /// Gives a parameter another value. Nothing is compiled again.

@@ -18,6 +18,60 @@ pub fn constant(name: &str) -> Option<Complex64> {
     }
 }
 
+/// What a name means where nothing else has it: coordinates, and capitals as some write them.
+pub fn fallback(name: &str) -> Option<Fallback> {
+    match name {
+        "x" => Some(Fallback::Part(Real::Part)),
+        "y" => Some(Fallback::Part(Real::Imaginary)),
+        "Z" => Some(Fallback::Variable),
+        "I" => Some(Fallback::Constant(Complex64::I)),
+        _ => None,
+    }
+}
+
+/// The meaning of a name that a formula may also take for itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fallback {
+    /// re(z) or im(z).
+    Part(Real),
+    /// z.
+    Variable,
+    /// A number.
+    Constant(Complex64),
+}
+
+/// Every function's usual name.
+pub const FUNCTIONS: [&str; 46] = [
+    "exp", "log", "ln", "log10", "sqrt", "pow", "sin", "cos", "tan", "sec", "csc", "cot", "sinh", "cosh", "tanh",
+    "sech", "csch", "coth", "asin", "acos", "atan", "asec", "acsc", "acot", "asinh", "acosh", "atanh", "asech",
+    "acsch", "acoth", "gamma", "sinc", "floor", "mod", "conj", "re", "im", "abs", "arg", "sum", "prod", "iterate",
+    "arcsin", "arccos", "arctan", "product",
+];
+
+/// The function that a misspelt name may mean: one that differs by a letter, or by two that changed places.
+pub fn suggestion(name: &str) -> Option<&'static str> {
+    let lower = name.to_lowercase();
+    let count = lower.chars().count();
+    let near = FUNCTIONS.into_iter().filter(|known| count >= 2 && known.len() >= 3 && is_one_slip_apart(&lower, known));
+    // The first letter is seldom wrong.
+    near.min_by_key(|known| (known.chars().next() != lower.chars().next(), known.len().abs_diff(count)))
+}
+
+/// Whether one letter more, less or another, or two neighbours exchanged, make one word the other.
+fn is_one_slip_apart(a: &str, b: &str) -> bool {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let same = a.iter().zip(&b).take_while(|(a, b)| a == b).count();
+    let (a, b) = (&a[same..], &b[same..]);
+    match (a, b) {
+        ([], [_]) | ([_], []) => true,
+        ([p, q, a @ ..], [r, s, b @ ..]) if p == s && q == r && a == b => true,
+        ([_, a @ ..], [_, b @ ..]) if a == b => true,
+        ([_, rest @ ..], b) if rest == b => true,
+        (a, [_, rest @ ..]) => a == rest,
+        _ => false,
+    }
+}
+
 /// What follows a function's name in parentheses, and what becomes of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Call {
@@ -29,6 +83,10 @@ pub enum Call {
     Sqrt,
     /// `pow(z, a)`, `pow(z, a, k)`: the k-th branch is turned by e^{2πiak}.
     Power,
+    /// `log10(z)`.
+    LogTen,
+    /// `mod(z, m)` = z − m floor(z/m).
+    Modulo,
     /// `name(n, from, to, body)` or `iterate(w, start, count, body)`.
     Loop(Loop),
 }
@@ -48,7 +106,8 @@ impl Call {
     /// Fewest and most arguments (a loop has its own grammar).
     pub fn arguments(self) -> (usize, usize) {
         match self {
-            Self::Unary(_) => (1, 1),
+            Self::Unary(_) | Self::LogTen => (1, 1),
+            Self::Modulo => (2, 2),
             Self::Log | Self::Sqrt => (1, 2),
             Self::Power => (2, 3),
             Self::Loop(_) => (4, 4),
@@ -87,6 +146,8 @@ pub fn function(name: &str) -> Option<Call> {
         "acsch" | "arcsch" | "arccsch" => Acsch,
         "acoth" | "arcoth" | "arccoth" => Acoth,
         "gamma" => Gamma,
+        "sinc" => Sinc,
+        "floor" => Floor,
         // A small gamma is free to be a parameter.
         "γ" if name == "Γ" => Gamma,
         other => return other_function(other),
@@ -103,6 +164,8 @@ fn other_function(lower: &str) -> Option<Call> {
         "arg" => real(Real::Argument),
         "conj" => Some(Call::Unary(Unary::Conjugate)),
         "log" | "ln" => Some(Call::Log),
+        "log10" | "lg" => Some(Call::LogTen),
+        "mod" => Some(Call::Modulo),
         "sqrt" => Some(Call::Sqrt),
         "pow" => Some(Call::Power),
         "sum" => Some(Call::Loop(Loop::Sum)),
@@ -126,6 +189,11 @@ mod tests {
         assert_eq!(function("Log"), Some(Call::Log));
         assert_eq!(function("Γ"), Some(Call::Unary(Unary::Analytic(Analytic::Gamma))));
         assert_eq!(constant("τ"), constant("tau"));
+        assert!(FUNCTIONS.into_iter().all(|name| function(name).is_some()));
+        assert_eq!(
+            ["sni", "cosn", "sqr", "expp", "acrtan", "blub"].map(suggestion),
+            [Some("sin"), Some("cosh"), Some("sqrt"), Some("exp"), Some("arctan"), None]
+        );
         assert!(is_taken("z") && is_taken("sum") && !is_taken("w"));
     }
 }

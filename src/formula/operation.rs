@@ -36,6 +36,9 @@ pub enum Analytic {
     Acsch,
     Acoth,
     Gamma,
+    Sinc,
+    /// The whole number below, of both parts: constant but where it jumps.
+    Floor,
 }
 
 impl Analytic {
@@ -71,6 +74,8 @@ impl Analytic {
             Self::Acsch => functions::acsch,
             Self::Acoth => functions::acoth,
             Self::Gamma => functions::gamma,
+            Self::Sinc => functions::sinc,
+            Self::Floor => functions::floor,
         }
     }
 }

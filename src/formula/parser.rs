@@ -14,7 +14,7 @@
 //! | strongest | `√` before and a bar over a letter (z̄) |
 
 use super::lexer::{Placed, Token, tokens};
-use super::names::{self, Call, Loop};
+use super::names::{self, Call, Fallback, Loop};
 use super::operation::{Binary, Real, Unary};
 use crate::plane::Complex64;
 use crate::{Error, Result};
@@ -54,11 +54,38 @@ pub enum Step {
 pub fn parse(text: &str, parameters: &[String]) -> Result<Vec<Step>> {
     let mut parser =
         Parser { tokens: tokens(text)?, at: 0, parameters, bound: Vec::new(), steps: Vec::new(), depth: 0, bars: 0 };
+    parser.skip_head();
     parser.expression(Power::Sum)?;
     match parser.peek() {
         Token::End => Ok(parser.steps),
+        Token::Comma if parser.is_decimal_comma() => Err(parser.expected("a point in a decimal number, as in 0.5")),
         _ => Err(parser.expected("an operator or the end")),
     }
+}
+
+/// The names that a formula uses without their having a meaning, each a letter and digits after it, in the order in which
+/// they first appear: its parameters, if it is to have any.
+pub fn parameters(text: &str) -> Result<Vec<String>> {
+    let mut names: Vec<String> = Vec::new();
+    for Placed { token, .. } in tokens(text)? {
+        if let Token::Word(name) = token
+            && name.chars().skip(1).all(|c| c.is_ascii_digit())
+            && !names::is_taken(&name)
+            && names::fallback(&name).is_none()
+            && !names.contains(&name)
+        {
+            names.push(name);
+        }
+    }
+    let mut used = vec![false; names.len()];
+    for step in parse(text, &names)? {
+        if let Step::Parameter(index) = step {
+            used[index] = true;
+        }
+    }
+    let mut used = used.into_iter();
+    names.retain(|_| used.next().unwrap_or_default());
+    Ok(names)
 }
 
 /// Binding powers, weakest first.
@@ -85,6 +112,26 @@ struct Parser<'a> {
 impl Parser<'_> {
     fn peek(&self) -> &Token {
         &self.tokens[self.at].token
+    }
+
+    /// Passes over `f(z) =` or `w =`.
+    fn skip_head(&mut self) {
+        let kinds: Vec<&Token> = self.tokens.iter().take(5).map(|placed| &placed.token).collect();
+        self.at = match kinds[..] {
+            [Token::Word(_), Token::Open, Token::Word(argument), Token::Close, Token::Equals]
+                if argument.to_lowercase() == names::VARIABLE =>
+            {
+                5
+            }
+            [Token::Word(_), Token::Equals, ..] => 2,
+            _ => 0,
+        };
+    }
+
+    /// Whether the comma that is next stands between digits.
+    fn is_decimal_comma(&self) -> bool {
+        let number = |at: usize| self.tokens.get(at).is_some_and(|placed| matches!(placed.token, Token::Number(_)));
+        self.at > 0 && number(self.at - 1) && number(self.at + 1)
     }
 
     fn position(&self) -> usize {
@@ -237,16 +284,100 @@ impl Parser<'_> {
         }
         if let Some(call) = names::function(word) {
             self.advance();
-            self.require(&Token::Open, &format!("“(” after {word}"))?;
+            return self.call(word, call);
+        }
+        if self.split(word) {
+            return self.operand();
+        }
+        if let Some(fallback) = names::fallback(word) {
+            self.advance();
+            self.fall_back(fallback);
+            return Ok(());
+        }
+        Err(self.expected(match names::suggestion(word) {
+            Some(function) => format!("a name that formulas know, perhaps {function}"),
+            None => self.known_names(),
+        }))
+    }
+
+    fn fall_back(&mut self, fallback: Fallback) {
+        match fallback {
+            Fallback::Part(part) => {
+                self.push(Step::Variable);
+                self.push(Step::Unary(Unary::Real(part)));
+            }
+            Fallback::Variable => self.push(Step::Variable),
+            Fallback::Constant(value) => self.push(Step::Constant(value)),
+        }
+    }
+
+    /// What follows a function's name: arguments in parentheses, or for functions of one argument what textbooks write:
+    /// `sin z`, `sin 2πz`, `sin²(z)`, `sin^2 z`.
+    fn call(&mut self, word: &str, call: Call) -> Result<()> {
+        let exponent = if call.arguments().0 == 1 { self.exponent_of_call(word)? } else { None };
+        if self.accept(&Token::Open) {
             let outside = std::mem::replace(&mut self.bars, 0);
             match call {
                 Call::Loop(kind) => self.repetition(kind)?,
                 _ => self.arguments(call)?,
             }
             self.bars = outside;
-            return self.require(&Token::Close, "an operator or “)”");
+            self.require(&Token::Close, "an operator or “)”")?;
+        } else if call.arguments().0 == 1 && self.starts_bare_argument() {
+            self.bare_argument()?;
+            self.push(Step::Call(call, 1));
+        } else {
+            return Err(self.expected(format!("“(” after {word}")));
         }
-        if self.split(word) { self.operand() } else { Err(self.expected(self.known_names())) }
+        if let Some(exponent) = exponent {
+            self.push(Step::Constant(exponent.into()));
+            self.push(Step::Binary(Binary::Power));
+        }
+        Ok(())
+    }
+
+    /// The exponent between a function's name and its argument. −1 would mean the inverse function to some, the reciprocal
+    /// to others.
+    fn exponent_of_call(&mut self, word: &str) -> Result<Option<f64>> {
+        let positive = format!("a positive whole exponent after {word}; the inverse function has a name of its own");
+        let exponent = match *self.peek() {
+            Token::Raised(exponent) => f64::from(exponent),
+            Token::Power => {
+                self.advance();
+                match *self.peek() {
+                    Token::Number(exponent) if exponent.fract() == 0.0 => exponent,
+                    _ => return Err(self.expected(positive)),
+                }
+            }
+            _ => return Ok(None),
+        };
+        if exponent < 1.0 {
+            return Err(self.expected(positive));
+        }
+        self.advance();
+        Ok(Some(exponent))
+    }
+
+    /// Whether an operand comes that may be an argument without parentheses.
+    fn starts_bare_argument(&self) -> bool {
+        match self.peek() {
+            Token::Number(_) | Token::Word(_) | Token::Root => true,
+            Token::Bar => self.bars == 0,
+            _ => false,
+        }
+    }
+
+    /// Factors up to the next operator, parenthesis or function: `sin 2πz cos z` is `sin(2πz)·cos(z)`.
+    fn bare_argument(&mut self) -> Result<()> {
+        self.expression(Power::Sign)?;
+        while let Token::Word(word) = self.peek() {
+            if names::function(word).is_some() {
+                break;
+            }
+            self.expression(Power::Sign)?;
+            self.push(Step::Binary(Binary::Multiply));
+        }
+        Ok(())
     }
 
     fn value_named(&self, name: &str) -> Option<Step> {

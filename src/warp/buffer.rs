@@ -33,3 +33,16 @@ pub(crate) fn blank(size: [usize; 2]) -> Result<Vec<u8>> {
     rgba.resize(bytes, 0);
     Ok(rgba)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_be_counted_or_held_is_refused_with_its_size() {
+        // 65536 × 16385 × 4 is 262144 modulo 2³².
+        assert_eq!(check("The overlay", 262_144, [65_536, 16_385]).unwrap_err().code(), "wrong-length");
+        assert_eq!(blank([1 << 30, 1 << 30]), Err(Error::OutOfMemory { bytes: 1 << 62 }));
+        assert_eq!(blank([1 << 31, 1 << 31]), Err(Error::OutOfMemory { bytes: u64::MAX }));
+    }
+}

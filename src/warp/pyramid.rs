@@ -101,69 +101,103 @@ pub(super) fn build_light(
 }
 
 /// Averages each level from the one above it: `first` reads a row of the first, `emit` receives every row of the others.
+/// No level is held on the way, but for the last rows of each.
 fn each_coarser(
     levels: &[Level],
     first: impl Fn(usize, &mut [LightTexel]),
     mut emit: impl FnMut(&Level, usize, &[LightTexel]),
 ) {
-    let mut above: Vec<LightTexel> = Vec::new();
-    for (index, pair) in levels.windows(2).enumerate() {
-        let (fine, coarse) = (&pair[0], &pair[1]);
-        let mut texels = vec![[0; 4]; coarse.width * coarse.height];
-        let read = |row: usize, line: &mut [LightTexel]| match index {
-            0 => first(row, line),
-            _ => line.copy_from_slice(&above[row * fine.width..][..fine.width]),
-        };
-        halve([fine.width, fine.height], read, &mut texels);
-        texels.chunks_exact(coarse.width).enumerate().for_each(|(row, line)| emit(coarse, row, line));
-        above = texels;
+    let mut stages: Vec<Stage> = levels.windows(2).map(|pair| Stage::new(&pair[0], &pair[1])).collect();
+    let mut line = vec![[0; 4]; levels[0].width];
+    for row in 0..levels[0].height {
+        first(row, &mut line);
+        pass_on(&mut stages, &line, &mut emit);
     }
 }
 
-/// Averages a level, given by its rows, into `coarse`.
-fn halve([width, height]: [usize; 2], read: impl Fn(usize, &mut [LightTexel]), coarse: &mut [LightTexel]) {
-    if width.is_multiple_of(2) && height.is_multiple_of(2) {
-        halve_evenly(width, read, coarse);
-    } else {
-        halve_by_weights([width, height], read, coarse);
+/// Hands a row of a level to the stages below it, as far as it completes rows of theirs.
+fn pass_on(stages: &mut [Stage], line: &[LightTexel], emit: &mut impl FnMut(&Level, usize, &[LightTexel])) {
+    let Some((stage, rest)) = stages.split_first_mut() else { return };
+    stage.receive(line);
+    while stage.is_complete() {
+        stage.average();
+        emit(stage.level, stage.made, &stage.line);
+        stage.made += 1;
+        pass_on(rest, &stage.line, emit);
     }
 }
 
-/// [`halve`] for even sizes: each texel is the mean of four.
-fn halve_evenly(width: usize, read: impl Fn(usize, &mut [LightTexel]), coarse: &mut [LightTexel]) {
-    let mut lines = vec![[0; 4]; 2 * width];
-    let (upper, lower) = lines.split_at_mut(width);
-    for (row, target) in coarse.chunks_exact_mut(width / 2).enumerate() {
-        read(2 * row, upper);
-        read(2 * row + 1, lower);
+/// The making of a level, row by row.
+struct Stage<'a> {
+    level: &'a Level,
+    columns: Halving,
+    rows: Halving,
+    /// The last rows of the level above, at their numbers modulo 3: a row is made of three at most.
+    above: [Vec<LightTexel>; 3],
+    received: usize,
+    made: usize,
+    line: Vec<LightTexel>,
+    /// Sums over rows, for sizes that are odd.
+    sums: Vec<[f32; 4]>,
+}
+
+impl<'a> Stage<'a> {
+    fn new(fine: &Level, level: &'a Level) -> Self {
+        Self {
+            level,
+            columns: Halving::new(fine.width),
+            rows: Halving::new(fine.height),
+            above: std::array::from_fn(|_| vec![[0; 4]; fine.width]),
+            received: 0,
+            made: 0,
+            line: vec![[0; 4]; level.width],
+            sums: vec![[0.0; 4]; fine.width],
+        }
+    }
+
+    fn receive(&mut self, line: &[LightTexel]) {
+        self.above[self.received % 3].copy_from_slice(line);
+        self.received += 1;
+    }
+
+    /// Whether all rows are there of which the next one is made.
+    fn is_complete(&self) -> bool {
+        self.made < self.rows.m && self.rows.taps(self.made).all(|(row, _)| row < self.received)
+    }
+
+    fn average(&mut self) {
+        if self.columns.n.is_multiple_of(2) && self.rows.n.is_multiple_of(2) {
+            self.average_evenly();
+        } else {
+            self.average_by_weights();
+        }
+    }
+
+    /// [`Stage::average`] for even sizes: each texel is the mean of four.
+    fn average_evenly(&mut self) {
+        let [upper, lower] = [2 * self.made, 2 * self.made + 1].map(|row| &self.above[row % 3]);
         let pairs = upper.as_chunks::<2>().0.iter().zip(lower.as_chunks::<2>().0);
-        for (texel, ([a, b], [c, d])) in target.iter_mut().zip(pairs) {
+        for (texel, ([a, b], [c, d])) in self.line.iter_mut().zip(pairs) {
             let sum = |channel: usize| [a, b, c, d].into_iter().map(|tap| i32::from(tap[channel])).sum::<i32>();
             *texel = [0, 1, 2, 3].map(|channel| ((sum(channel) + 2) >> 2) as i16);
         }
     }
-}
 
-/// [`halve`] for any sizes: rows first, into a line of sums, then columns.
-fn halve_by_weights([width, height]: [usize; 2], read: impl Fn(usize, &mut [LightTexel]), coarse: &mut [LightTexel]) {
-    let (columns, rows) = (Halving::new(width), Halving::new(height));
-    let mut line = vec![[0; 4]; width];
-    let mut sums = vec![[0.0_f32; 4]; width];
-    for (row, target) in coarse.chunks_exact_mut(columns.m).enumerate() {
-        sums.fill([0.0; 4]);
-        for (source, weight) in rows.taps(row) {
-            read(source, &mut line);
-            for (sum, texel) in sums.iter_mut().zip(&line) {
+    /// [`Stage::average`] for any sizes: rows first, into a line of sums, then columns.
+    fn average_by_weights(&mut self) {
+        self.sums.fill([0.0; 4]);
+        for (source, weight) in self.rows.taps(self.made) {
+            for (sum, texel) in self.sums.iter_mut().zip(&self.above[source % 3]) {
                 for channel in 0..4 {
                     sum[channel] += weight * f32::from(texel[channel]);
                 }
             }
         }
-        for (column, texel) in target.iter_mut().enumerate() {
+        for (column, texel) in self.line.iter_mut().enumerate() {
             let mut sum = [0.5_f32; 4];
-            for (source, weight) in columns.taps(column) {
+            for (source, weight) in self.columns.taps(column) {
                 for channel in 0..4 {
-                    sum[channel] += weight * sums[source][channel];
+                    sum[channel] += weight * self.sums[source][channel];
                 }
             }
             *texel = sum.map(|s| s as i16);

@@ -41,7 +41,8 @@ impl Texture {
     ///
     /// # Errors
     /// [`Error::WrongLength`] unless `rgba` has exactly 4 · `width` · `height` bytes and there is a pixel;
-    /// [`Error::TextureTooLarge`] if the pyramid would not fit into 32-bit memory.
+    /// [`Error::TextureTooLarge`] if the pyramid would not fit into 32-bit memory; [`Error::OutOfMemory`] if there is no
+    /// room for it.
     pub fn new(rgba: &[u8], width: usize, height: usize, wrap: Wrap, light: Light) -> Result<Self> {
         let too_large = Error::TextureTooLarge { width, height };
         if width == 0 || height == 0 {
@@ -116,7 +117,7 @@ impl Texture {
     /// Makes the pyramid of light, if there is none yet.
     ///
     /// # Errors
-    /// [`Error::TextureTooLarge`] if there is no memory for it.
+    /// [`Error::OutOfMemory`] if there is no memory for it.
     pub(super) fn make_light(&self) -> Result<()> {
         if self.light_texels.get().is_none() {
             // Another thread may be as quick; then one's work is dropped.
@@ -143,9 +144,10 @@ impl Texture {
 
 /// Room for all texels of a pyramid.
 fn empty<T: Copy + Default>(levels: &[Level]) -> Result<Vec<[T; 4]>> {
-    let (total, Level { width, height, .. }) = (pyramid::total(levels), levels[0]);
+    let total = pyramid::total(levels);
+    let bytes = total as u64 * size_of::<[T; 4]>() as u64;
     let mut texels = Vec::new();
-    texels.try_reserve_exact(total).map_err(|_| Error::TextureTooLarge { width, height })?;
+    texels.try_reserve_exact(total).map_err(|_| Error::OutOfMemory { bytes })?;
     texels.resize(total, [T::default(); 4]);
     Ok(texels)
 }

@@ -27,6 +27,8 @@ pub struct FormulaOptions {
 /// - `+ − * / ^`, parentheses, `|z|`; multiplication may be left out: `2z`, `3(z+1)`, `z sin(z)`. `z²`, `√`, `z̄` work too.
 /// - `exp log sqrt pow`; `sin cos tan sec csc cot`, the same with `h`, and the inverses of all with `a` or `arc` before
 ///   the name; `gamma`; `conj re im arg abs`.
+/// - `x` and `y` are re(z) and im(z), unless a parameter has the name; `f(z) =` may stand before all. `sin z`, `sin²(z)`.
+/// - `log10 sinc floor`, `mod(z, m)`.
 /// - Branches: `log(z, k)`, `sqrt(z, k)`, `pow(z, a, k)`; `sum(n, 1, 10, z^n/n)`, `prod(…)`, `iterate(w, z, 8, w^2 + z)`.
 #[derive(Debug)]
 #[wasm_bindgen]
@@ -42,6 +44,14 @@ impl FormulaMap {
         let FormulaOptions { params } = options::read_or_default(options.as_ref())?;
         let params: Vec<_> = params.iter().map(|(name, &value)| (name.as_str(), value.into())).collect();
         Ok(Self(crate::formula::FormulaMap::with_params(text, &params)?))
+    }
+
+    /// The names that a formula uses and that mean nothing by themselves, in the order in which they first appear: its
+    /// parameters. Names that `sum`, `prod` and `iterate` bind are not among them.
+    ///
+    /// Throws "syntax" with the `position` in the text, or "formula-too-large".
+    pub fn parameters(text: &str) -> Result<Vec<String>, Failure> {
+        Ok(crate::formula::FormulaMap::parameters(text)?)
     }
 
     /// f at each point `[x0, y0, x1, y1, …]`; NaN where it is not defined.

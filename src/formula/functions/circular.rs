@@ -1,6 +1,6 @@
 //! Circular and hyperbolic functions.
 
-use super::arithmetic::{ValueAndSlope, times_i, times_minus_i};
+use super::arithmetic::{ValueAndSlope, divide, times_i, times_minus_i};
 use crate::plane::Complex64;
 
 /// (sinh x, cosh x) of a real number from one exponential, accurate for small x too.
@@ -23,6 +23,29 @@ pub fn sin(z: Complex64) -> ValueAndSlope {
     let (sin, cos) = z.re.sin_cos();
     let (sinh, cosh) = sinh_cosh(z.im);
     (Complex64::new(sin * cosh, cos * sinh), Complex64::new(cos * cosh, -sin * sinh))
+}
+
+/// sin z / z and its derivative (cos z − sin z / z)/z; 1 and 0 at 0.
+pub fn sinc(z: Complex64) -> ValueAndSlope {
+    if z.norm_sqr() > 1.0 {
+        let (sin, cos) = sin(z);
+        let value = divide(sin, z);
+        return (value, divide(cos - value, z));
+    }
+    // Σ (−z²)ᵏ/(2k + 1)!, whose terms fall below rounding by k = 10, and its derivative term by term.
+    let square = -z * z;
+    let (mut value, mut slope) = (Complex64::ZERO, Complex64::ZERO);
+    for k in (1..=10).rev() {
+        let k = f64::from(k);
+        value = (value * square) / ((2.0 * k + 2.0) * (2.0 * k + 3.0)) + 1.0;
+        slope = (slope * square) / ((2.0 * k + 2.0) * (2.0 * k + 3.0)) + k;
+    }
+    (value * square / 6.0 + 1.0, -2.0 * z * slope / 6.0)
+}
+
+/// ⌊x⌋ + i⌊y⌋, and 0.
+pub fn floor(z: Complex64) -> ValueAndSlope {
+    (Complex64::new(z.re.floor(), z.im.floor()), Complex64::ZERO)
 }
 
 /// cos z and its derivative −sin z.

@@ -21,7 +21,7 @@ fn roots(z: Complex64) -> (Complex64, Complex64) {
     (sqrt_c99(Complex64::new(1.0 - z.re, -z.im)), sqrt_c99(Complex64::new(1.0 + z.re, z.im)))
 }
 
-fn asin_c99(z: Complex64, minus: Complex64, plus: Complex64) -> Complex64 {
+pub(super) fn asin_c99(z: Complex64, minus: Complex64, plus: Complex64) -> Complex64 {
     if z.norm() > HUGE {
         return Complex64::new(z.re.atan2(z.im.abs()), (LN_2 + log_huge(z)).copysign(z.im));
     }
@@ -37,7 +37,11 @@ fn log_huge(z: Complex64) -> f64 {
 /// arccos z, 0 ≤ Re ≤ π.
 pub fn acos(z: Complex64) -> ValueAndSlope {
     let z = without_signed_zeros(z);
-    let (minus, plus) = roots(z);
+    acos_of_roots(z, roots(z))
+}
+
+/// arccos z from √(1 − z) and √(1 + z), which may be better known than z tells.
+pub(super) fn acos_of_roots(z: Complex64, (minus, plus): (Complex64, Complex64)) -> ValueAndSlope {
     let slope = -divide(Complex64::ONE, minus * plus);
     if z.norm() > HUGE {
         return (Complex64::new(z.im.abs().atan2(z.re), (LN_2 + log_huge(z)).copysign(-z.im)), slope);
@@ -59,6 +63,11 @@ pub fn acosh(z: Complex64) -> ValueAndSlope {
     let z = without_signed_zeros(z);
     let minus = sqrt_c99(Complex64::new(z.re - 1.0, z.im));
     let plus = sqrt_c99(Complex64::new(z.re + 1.0, z.im));
+    acosh_of_roots(z, (minus, plus))
+}
+
+/// arcosh z from √(z − 1) and √(z + 1), which may be better known than z tells.
+pub(super) fn acosh_of_roots(z: Complex64, (minus, plus): (Complex64, Complex64)) -> ValueAndSlope {
     let slope = divide(Complex64::ONE, minus * plus);
     if z.norm() > HUGE {
         return (Complex64::new(LN_2 + log_huge(z), z.im.atan2(z.re)), slope);
@@ -82,7 +91,7 @@ pub fn atanh(z: Complex64) -> ValueAndSlope {
     (atanh_c99(z), reciprocal_of_product(Complex64::ONE - z, Complex64::ONE + z))
 }
 
-fn reciprocal_of_product(a: Complex64, b: Complex64) -> Complex64 {
+pub(super) fn reciprocal_of_product(a: Complex64, b: Complex64) -> Complex64 {
     divide(divide(Complex64::ONE, a), b)
 }
 
@@ -96,11 +105,16 @@ fn atanh_c99(z: Complex64) -> Complex64 {
         return Complex64::new(divide(Complex64::ONE, z).re, FRAC_PI_2.copysign(y));
     }
     let off = y * y;
-    let gap = (1.0 - x) * (1.0 - x) + off;
-    // Next to the pole at 1 the square of y underflows, and its logarithm does not.
-    let re = if gap == 0.0 { 0.5 * (LN_2 - y.abs().ln()) } else { 0.25 * (4.0 * x / gap).ln_1p() };
+    let re = quarter_log_of_ratio(x, y);
     let im = 0.5 * (2.0 * y).atan2((1.0 - x) * (1.0 + x) - off);
     Complex64::new(re, im)
+}
+
+/// ½ log |(1 + z)/(1 − z)| for z = x + iy: the real part of artanh z, and of artanh 1/z.
+pub(super) fn quarter_log_of_ratio(x: f64, y: f64) -> f64 {
+    let gap = (1.0 - x) * (1.0 - x) + y * y;
+    // Next to the pole at 1 the squares underflow, and the distance does not.
+    if gap < 1e-280 { 0.5 * (LN_2 - (1.0 - x).hypot(y).ln()) } else { 0.25 * (4.0 * x / gap).ln_1p() }
 }
 
 #[cfg(test)]

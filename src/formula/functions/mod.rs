@@ -24,7 +24,7 @@ mod power;
 mod reciprocal;
 
 pub use arithmetic::{ValueAndSlope, divide};
-pub use circular::{cos, cosh, sin, sinh, tan, tanh};
+pub use circular::{cos, cosh, floor, sin, sinc, sinh, tan, tanh};
 pub use exponential::{cis_pi, exp, log, sqrt};
 pub use gamma::gamma;
 pub use inverse::{acos, acosh, asin, asinh, atan, atanh};

@@ -36,7 +36,7 @@ pub(super) fn sample(draw: Kernel, texture: &Texture, strip: &Strip, out: &mut [
 /// What draws rows of such a texture.
 ///
 /// # Errors
-/// [`crate::Error::TextureTooLarge`] if there is no memory for the texture's light, which the best quality samples.
+/// [`crate::Error::OutOfMemory`] if there is no memory for the texture's light, which the best quality samples.
 pub(super) fn kernel(texture: &Texture, quality: Quality) -> Result<Kernel> {
     Ok(match (quality, texture.light()) {
         (Quality::Best, Light::Linear) => {

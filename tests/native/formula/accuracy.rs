@@ -58,6 +58,54 @@ fn functions_agree_with_mpmath() {
     }
 }
 
+/// Scales of 1e±300, the neighbourhoods of poles and branch points, both sides of cuts.
+#[test]
+fn functions_agree_with_mpmath_where_numbers_end() {
+    #[derive(Deserialize)]
+    struct Extremes {
+        name: String,
+        /// z; value and derivative where a double holds them.
+        rows: Vec<[Option<Vec<f64>>; 3]>,
+    }
+    let mut wrong = Vec::new();
+    let tables: Vec<Extremes> =
+        serde_json::from_str(include_str!("../../fixtures/formula/extremes.json")).expect("the fixtures are JSON");
+    for Extremes { name, rows } in tables {
+        let map = FormulaMap::new(&format!("{name}(z)")).unwrap();
+        for [at, value, slope] in rows {
+            let z = complex(&at.unwrap(), 0);
+            let jet = map.jet(z);
+            for (what, found, expected) in [("", jet.value, value), ("'", jet.dz, slope)] {
+                let Some(expected) = expected else { continue };
+                let error = relative_error(found, complex(&expected, 0));
+                if error.is_nan() || error > 1e-14 {
+                    wrong.push(format!("{name}{what}({z:e}) = {found:e}, not {:e}", complex(&expected, 0)));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} values are wrong:\n{}", wrong.len(), wrong[..wrong.len().min(60)].join("\n"));
+}
+
+#[test]
+fn inverse_functions_are_right_beside_their_poles() {
+    let fault: serde_json::Value =
+        serde_json::from_str(include_str!("../../fixtures/faults/atanh-near-pole.json")).unwrap();
+    let pairs = |key: &str| -> Vec<Complex64> {
+        let pairs = fault[key].as_array().unwrap().iter();
+        pairs.map(|p| Complex64::new(p[0].as_f64().unwrap(), p[1].as_f64().unwrap())).collect()
+    };
+    let (points, expected) = (pairs("points"), pairs("expected"));
+    let turned: Vec<Complex64> = points.iter().map(|z| Complex64::new(z.im, -z.re)).collect();
+    let conjugate: Vec<Complex64> = points.iter().map(|z| z.conj()).collect();
+    for (text, points) in [("atanh(z)", &points), ("i atan(z)", &turned), ("acoth(z)", &conjugate)] {
+        for (found, expected) in FormulaMap::new(text).unwrap().eval(points).iter().zip(&expected) {
+            // Re is even in y, Im is odd; 1/z has the other sign of y.
+            assert!(relative_error(*found, *expected) < 1e-15, "{text}: {found} is not {expected}");
+        }
+    }
+}
+
 #[test]
 fn formulas_agree_with_mpmath() {
     let params = [("t", Complex64::new(0.75, -0.5)), ("a", Complex64::new(1.5, 0.25))];

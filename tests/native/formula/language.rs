@@ -43,6 +43,62 @@ fn spellings_of_the_same_formula() {
 }
 
 #[test]
+fn textbook_spellings() {
+    for (a, b) in [
+        ("sin z", "sin(z)"),
+        ("sin 2z", "sin(2z)"),
+        ("sin 2πz cos z", "sin(2πz)cos(z)"),
+        ("sin z^2", "sin(z²)"),
+        ("sin z (z+1)", "sin(z)(z+1)"),
+        ("sin z + 1", "sin(z)+1"),
+        ("sin^2(z)", "sin(z)*sin(z)"),
+        ("sin²z", "sin(z)*sin(z)"),
+        ("2 cosh^3 2z", "2cosh(2z)^3"),
+        ("log |z|", "log(abs(z))"),
+        ("|sin z|", "abs(sin(z))"),
+        ("f(z) = z²", "z^2"),
+        ("w = z²", "z^2"),
+        ("x² + y²", "|z|^2"),
+        ("x + I y", "z"),
+        ("Z + I", "z + i"),
+        ("log10(z)", "log(z)/log(10)"),
+        ("sinc(z)", "sin(z)/z"),
+        ("floor(z)", "0 - 2i"),
+        ("mod(z, 1)", "0.3 + 0.3i"),
+        ("mod(z, 2i)", "z - 2i floor(z/(2i))"),
+        ("gamma(z) + 2 i", "gamma(z)+2i"),
+    ] {
+        let (found, expected) = (value(a), value(b));
+        assert!((found - expected).norm() <= 1e-14 * expected.norm(), "{a} is {found}, but {b} is {expected}");
+    }
+    // A parameter of the name comes first.
+    let map = FormulaMap::with_params("x + I", &[("x", Complex64::I), ("I", Complex64::ONE)]).unwrap();
+    assert_eq!(map.eval(&[Z])[0], Complex64::new(1.0, 1.0));
+    assert!(
+        !FormulaMap::new("x").unwrap().is_analytic() && FormulaMap::new("floor(z) + mod(z, 2)").unwrap().is_analytic()
+    );
+}
+
+#[test]
+fn parameters_are_the_names_without_a_meaning() {
+    for (text, names) in [
+        ("t z + a", &["t", "a"][..]),
+        ("az + a", &["a"]),
+        ("iterate(w, z, 3, w^2 + c)", &["c"]),
+        ("sum(n, 1, 4, z^n/n) + n", &["n"]),
+        ("f(z) = x + y I + Z t1 + α", &["t1", "α"]),
+        ("e^(i z) + 2e3", &[]),
+    ] {
+        assert_eq!(FormulaMap::parameters(text).unwrap(), names, "{text}");
+    }
+    // The mistake is blamed, and not the first parameter.
+    let Err(Error::Syntax { position, found, .. }) = FormulaMap::parameters("a z + b + $") else {
+        panic!("$ has no meaning")
+    };
+    assert_eq!((position, found.as_str()), (10, "“$”"));
+}
+
+#[test]
 fn precedence() {
     assert_eq!(value("2^3^2"), Complex64::new(512.0, 0.0));
     assert_eq!(value("-2^2"), Complex64::new(-4.0, 0.0));
@@ -77,8 +133,13 @@ fn errors_have_a_place_and_an_expectation() {
         ("|z + 1", 6, "an operator or “|”", "the end"),
         ("z + 1)", 5, "an operator or the end", "“)”"),
         ("z 2", 2, "an operator or the end", "“2”"),
-        ("sin z", 4, "“(” after sin", "“z”"),
-        ("sin^2(z)", 3, "“(” after sin", "“^”"),
+        ("sin + z", 4, "“(” after sin", "“+”"),
+        ("pow z", 4, "“(” after pow", "“z”"),
+        ("sin^-1(z)", 4, "a positive whole exponent after sin; the inverse function has a name of its own", "“-”"),
+        ("2 + cosn(z)", 4, "a name that formulas know, perhaps cosh", "“cosn”"),
+        ("0,5 z", 1, "a point in a decimal number, as in 0.5", "“,”"),
+        ("f(z) = 2z +", 11, operand, "the end"),
+        ("z = = 2", 4, operand, "“=”"),
         ("sin(z, 2)", 5, "an operator or “)”", "“,”"),
         ("pow(z)", 5, "“,” and another argument", "“)”"),
         ("log(z,1,2)", 7, "an operator or “)”", "“,”"),
@@ -121,6 +182,8 @@ fn hostile_texts_are_refused_and_not_run() {
         ("sum(n, 1, 999999999, 1)".into(), "formula-too-large"),
         ("sum(n, 1, 200, sum(m, 1, 200, z))".into(), "formula-too-large"),
         ("iterate(w, z, 1000000, w)".into(), "formula-too-large"),
+        ("sum(n, 1, 1e9, z^n)".into(), "formula-too-large"),
+        ("sum(n, -1e15, 1e15, 1)".into(), "formula-too-large"),
         ("sum(n, 1, 1e300, z)".into(), "syntax"),
         ("sum(n, 1, 0/0, z)".into(), "syntax"),
     ] {
@@ -166,7 +229,7 @@ fn undefined_points_are_nan_and_nothing_panics() {
         [0.0, -0.0, 1.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN_POSITIVE, 5e-324, 710.0];
     let points: Vec<Complex64> = odd.iter().flat_map(|&x| odd.map(|y| Complex64::new(x, y))).collect();
     let names = "exp log sqrt sin cos tan sec csc cot sinh cosh tanh sech csch coth asin acos atan asec acsc acot asinh \
-                 acosh atanh asech acsch acoth gamma conj re im arg abs";
+                 acosh atanh asech acsch acoth gamma sinc floor log10 conj re im arg abs";
     let texts = names.split_whitespace().map(|name| format!("{name}(z)"));
     for text in texts.chain(["1/z", "z/z", "z^z", "z^0.3", "z^-7", "z^(2+i)", "0^z", "1/(1/z)"].map(String::from)) {
         let map = FormulaMap::new(&text).unwrap();

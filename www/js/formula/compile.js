@@ -7,24 +7,17 @@ import { FormulaMap } from "../../pkg/index.js";
 /** @typedef {{ analytic: boolean, params: Params }} Compiled */
 /** @typedef {{ message: string, position: number | undefined }} Mistake */
 
-/** Letters with a meaning of their own. */
-const TAKEN = ["z", "i", "e"];
-
 /**
- * Reads a formula. Single letters that it does not know become parameters, with the values in `known`, or 1.
+ * Reads a formula. Letters that it does not know become parameters, with the values in `known`, or 1.
  * @param {string} text @param {Params} known @returns {Compiled | Mistake}
  */
 export function compile(text, known) {
-  const letters = new Set(text.match(/(?<![a-z])[a-z](?![a-z])/gi) ?? []);
-  /** @type {Params} */
-  const params = {};
-  for (const letter of letters) {
-    if (!TAKEN.includes(letter)) params[letter] = known[letter] ?? [1, 0];
+  try {
+    const names = FormulaMap.parameters(text);
+    return attempt(text, Object.fromEntries(names.map((name) => [name, Object.hasOwn(known, name) ? known[name] : [1, 0]])));
+  } catch (error) {
+    return mistake(error);
   }
-  const plain = attempt(text, {});
-  if ("params" in plain || Object.keys(params).length === 0) return plain;
-  const parametric = attempt(text, params);
-  return "params" in parametric ? parametric : plain;
 }
 
 /** @param {string} text @param {Params} params @returns {Compiled | Mistake} */
@@ -35,7 +28,12 @@ function attempt(text, params) {
     map.free();
     return { analytic, params };
   } catch (error) {
-    const { message, position } = /** @type {{ message: string, position?: number }} */ (error);
-    return { message, position };
+    return mistake(error);
   }
+}
+
+/** @param {unknown} error @returns {Mistake} */
+function mistake(error) {
+  const { message, position } = /** @type {{ message: string, position?: number }} */ (error);
+  return { message, position };
 }
