@@ -12,13 +12,13 @@ use std::f64::consts::TAU;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Room {
     closest: f64,
-    /// What is shorter than this share of the source's outline is not refined: numbers cannot tell its points apart.
+    /// What is shorter than this share of the source's outline is not refined: there, maps are no smoother than their errors.
     pub(super) finest: f64,
 }
 
 impl Room {
     /// As little as double precision can do with: a corner that the other copy opens a long way is that near to a node.
-    pub(super) const LEAST: Self = Self { closest: 1e-13, finest: 1e-14 };
+    pub(super) const LEAST: Self = Self { closest: 1e-13, finest: 1e-10 };
     /// Enough for whole pockets to be connected in what the nodes are moved to.
     pub(super) const AMPLE: Self = Self { closest: 1e-7, finest: 1e-6 };
 }
