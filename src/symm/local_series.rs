@@ -7,10 +7,11 @@
 use super::clusters::{Cluster, ClusterTree};
 use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::Discretisation;
+use super::far_center::Measure;
 use super::legendre::{GaussRule, MAX_NODES, legendre};
 use super::multipole::shift_multipole;
 use super::series_sum::{MAX_TERMS, Piece, Sum, expansion_factors};
-use super::solution::Solution;
+
 use crate::plane::Complex64;
 
 /// A cluster is far when its radius is at most this share of its distance from the disk of the series.
@@ -60,10 +61,10 @@ struct PanelSource {
 }
 
 impl LocalSeries {
-    /// Prepares the potential of a solution.
+    /// Prepares the potential of a measure.
     #[must_use]
-    pub fn new(solution: &Solution) -> Self {
-        let discretisation = solution.discretisation();
+    pub fn new(measure: &Measure) -> Self {
+        let discretisation = &measure.discretisation;
         let order = &discretisation.order;
         let digits = order.digits;
         let terms = (digits * std::f64::consts::LN_10 / -FAR.ln()).ceil() as usize + 2;
@@ -74,7 +75,7 @@ impl LocalSeries {
             multipoles: vec![Complex64::ZERO; clusters.len() * terms],
             clusters,
             terms,
-            panels: panel_sources(discretisation, &solution.masses, &solution.correspondence),
+            panels: panel_sources(discretisation, &measure.masses, &measure.correspondence),
             gauss: order.piece.clone(),
             factors: expansion_factors(),
             far_union: 10f64.powf(-digits / order.piece.len() as f64).min(FAR_PIECE),
@@ -304,7 +305,7 @@ mod tests {
                 let discretisation = solution.discretisation();
                 let unit = discretisation.boundary.unit;
                 let direct = &solution.potential;
-                let series = LocalSeries::new(&solution);
+                let series = LocalSeries::new(&Measure::from(&solution));
                 let (low, high) = region.polygon().bounds();
                 for k in 1..200 {
                     let share = |a: f64| (f64::from(k) * a).fract();

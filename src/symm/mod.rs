@@ -16,7 +16,8 @@
 //!   where their residuals weigh most;
 //! - [`system`] solves them: by factorisation ([`lu`]) when small, else by iteration ([`gmres`]) with a preconditioner
 //!   ([`two_level`]) and products from stored entries ([`influence`]) or expansions ([`fast_multipole`], [`multipole`], [`clusters`]);
-//! - [`solve`] refines until the estimate meets the tolerance; [`center`] moves the center of what is solved;
+//! - [`solve`] refines until the estimate meets the tolerance; [`center`] moves the center of what is solved, and
+//!   [`far_center`] moves it far;
 //! - [`solution`] is the answer: [`correspondence`] on the boundary, [`potential`] inside, [`local_series`] there
 //!   as power series.
 //!
@@ -26,6 +27,7 @@ pub mod center;
 pub mod clusters;
 pub mod correspondence;
 pub mod discretisation;
+pub mod far_center;
 mod fast_log;
 pub mod fast_multipole;
 pub mod gmres;

@@ -66,7 +66,7 @@ pub fn solve_again(
 }
 
 /// Solves, and halves panels and solves again until the estimate meets the tolerance.
-fn adapt(
+pub(super) fn adapt(
     mut system: Arc<System>,
     mut rules: Rules,
     center: Complex64,

@@ -4,17 +4,17 @@ use super::link::Link;
 use super::position::Position;
 use super::power_series::{MAX_COEFFICIENTS, exp_without_constant};
 use super::walls::Walls;
-use super::zone::{Zone, Zones};
+use super::zone::Zones;
 use crate::plane::Complex64;
+use crate::symm::far_center::{Measure, solve_far};
 use crate::symm::local_series::LocalSeries;
 use crate::symm::options::SolveOptions;
 use crate::symm::solution::Solution;
-use crate::symm::solve::solve_again;
 
 /// One center's map region → disk, with vertex 0 ↦ 1 (scaled units).
 #[derive(Clone, Debug)]
 pub struct Chart {
-    solution: Solution,
+    measure: Measure,
     series: LocalSeries,
     /// Where its boundary has one power series.
     pub zones: Zones,
@@ -22,26 +22,23 @@ pub struct Chart {
 
 impl Chart {
     fn new(solution: &Solution, walls: &Walls) -> Self {
-        let boundary = &solution.discretisation().boundary;
-        let measure = |zone: &Zone| measure_on(solution, zone.on_edge(boundary, 0.0));
-        Self {
-            series: LocalSeries::new(solution),
-            zones: Zones::new(boundary, walls, solution.center, measure),
-            solution: solution.clone(),
-        }
+        let measure = Measure::from(solution);
+        let boundary = &measure.discretisation.boundary;
+        let zones = Zones::new(boundary, walls, measure.center, |zone| measure.on_edge(zone.on_edge(boundary, 0.0)));
+        Self { series: LocalSeries::new(&measure), zones, measure }
     }
 
     /// The point that goes to 0.
     #[must_use]
     pub fn center(&self) -> Complex64 {
-        self.solution.center
+        self.measure.center
     }
 
     /// Where on the boundary a harmonic measure from vertex 0 is reached.
     #[must_use]
     pub fn boundary_point(&self, measure: f64) -> Complex64 {
-        let (edge, share) = self.solution.locate(measure);
-        let boundary = &self.solution.discretisation().boundary;
+        let (edge, share) = self.measure.locate(measure);
+        let boundary = &self.measure.discretisation.boundary;
         let (a, b) = (boundary.vertices[edge], boundary.vertices[boundary.next(edge)]);
         a + (b - a) * share
     }
@@ -55,7 +52,7 @@ impl Chart {
         exp_without_constant(log, coefficients);
         // Times (z − z₀) e^{log₀}.
         let scale = log[0].exp();
-        let (constant, linear) = (scale * (center - self.solution.center), scale * radius);
+        let (constant, linear) = (scale * (center - self.measure.center), scale * radius);
         for k in (1..coefficients.len()).rev() {
             coefficients[k] = coefficients[k] * constant + coefficients[k - 1] * linear;
         }
@@ -65,22 +62,18 @@ impl Chart {
     /// The map by direct summation, anywhere in the region.
     #[must_use]
     pub fn direct(&self, z: Complex64) -> Complex64 {
-        self.solution.potential.map(self.solution.discretisation(), self.solution.center, z)
+        self.measure.map(z)
     }
 
     /// Harmonic measure from vertex 0 to the point of `edge` at the given distances from its ends.
     #[must_use]
     pub fn measure(&self, place: (usize, f64, f64)) -> f64 {
-        measure_on(&self.solution, place)
+        self.measure.on_edge(place)
     }
 
     fn bytes(&self) -> usize {
-        self.series.bytes() + std::mem::size_of_val(&self.zones.list[..])
+        self.series.bytes() + self.measure.bytes() + std::mem::size_of_val(&self.zones.list[..])
     }
-}
-
-fn measure_on(solution: &Solution, (edge, from_start, from_end): (usize, f64, f64)) -> f64 {
-    solution.correspondence.measure_on_edge(solution.discretisation(), edge, from_start, from_end)
 }
 
 /// Whether other charts serve a part of a disk better.
@@ -108,6 +101,10 @@ pub struct Atlas {
     options: SolveOptions,
 }
 
+/// No chart is added when all have as many unknowns together as this
+const UNKNOWNS: usize = 100_000;
+/// and this times those of the first, so that large regions do not wait for, or run out of memory over, their small bays.
+const UNKNOWNS_PER_FIRST: usize = 4;
 /// More centers than any region needs that double precision can describe.
 const MAX_CHARTS: usize = 64;
 /// Disk → region, another chart takes over where it stretches by this much more; well beyond the middle between two centers.
@@ -138,19 +135,20 @@ impl Atlas {
 
     /// Adds a chart around `center`, where chart `parent` is still good. False if there are too many, or no map was found.
     pub fn add(&mut self, center: Complex64, parent: usize) -> bool {
-        let first = &self.charts[0].solution;
-        let unit = first.discretisation().boundary.unit;
+        let first = &self.charts[0].measure;
         let near = &self.charts[parent];
-        if self.charts.len() >= self.options.max_charts.min(MAX_CHARTS) {
+        let unknowns: usize = self.charts.iter().map(|chart| chart.measure.masses.len()).sum();
+        let affordable = UNKNOWNS + UNKNOWNS_PER_FIRST * first.masses.len();
+        if self.charts.len() >= self.options.max_charts.min(MAX_CHARTS) || unknowns >= affordable {
             return false;
         }
-        let Ok(solution) = solve_again(&near.solution, center / unit, &self.options, &mut |_, _| true) else {
+        let Ok(solution) = solve_far(first, &near.measure, center, &self.options, &mut |_, _| true) else {
             return false;
         };
         let chart = Chart::new(&solution, &self.walls);
         let (mut there, mut back) = ([Complex64::ZERO; 2], [Complex64::ZERO; 2]);
         near.expand(center, TINY, &mut there);
-        chart.expand(near.solution.center, TINY, &mut back);
+        chart.expand(near.measure.center, TINY, &mut back);
         let from_parent = Link::new(there[0], back[0]);
         let mut row: Vec<Link> =
             (0..self.charts.len()).map(|from| from_parent.after(&self.links[parent][from])).collect();

@@ -1,6 +1,6 @@
 //! The map of a polygon as a function, both ways.
 
-use super::super::rounding::is_outside_disk;
+use super::super::rounding::{is_outside_disk, onto_disk};
 use super::accuracy::Accuracy;
 use super::charts::Atlas;
 use super::disk_point::DiskPoint;
@@ -80,7 +80,7 @@ impl Expansions {
     #[inline]
     #[must_use]
     pub fn flat(&self, point: DiskPoint) -> Complex64 {
-        if point.chart == 0 { point.w } else { onto_disk(self.atlas.link(0, point.chart).apply(point.w)) }
+        onto_disk(if point.chart == 0 { point.w } else { self.atlas.link(0, point.chart).apply(point.w) })
     }
 
     /// Disk → region; `None` outside the closed disk.
@@ -158,12 +158,6 @@ impl Expansions {
             + self.region.bytes()
             + self.disks.iter().filter_map(OnceLock::get).map(DiskSide::bytes).sum::<usize>()
     }
-}
-
-/// The point of the closed disk nearest to `w`.
-fn onto_disk(w: Complex64) -> Complex64 {
-    let square = w.norm_sqr();
-    if square > 1.0 { w / square.sqrt() } else { w }
 }
 
 impl fmt::Debug for Expansions {

@@ -5,3 +5,4 @@ mod both_ways;
 mod closed;
 mod compose;
 mod exact;
+mod faults;

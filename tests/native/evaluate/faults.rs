@@ -1,0 +1,80 @@
+//! Regions on which evaluation once took minutes, lost its digits or gave NaN: the work is bounded, the answers hold.
+
+use crate::support::{c, complex, largest, points, share, solve};
+use conformal_warp::{Complex64, Curve, Region};
+use std::f64::consts::TAU;
+
+fn region(vertices: &[[f64; 2]], center: [f64; 2], toward: [f64; 2]) -> Region {
+    Region::new(&points(vertices), Curve::Polygon, complex(center), complex(toward)).unwrap()
+}
+
+/// The coast of Taiwan, cut down to a spit of 3.4 degrees beside a bay.
+fn spit() -> Region {
+    let coast = [
+        [121.906, 24.949],
+        [120.841, 21.925],
+        [120.333, 22.519],
+        [120.286, 22.58],
+        [120.333, 22.526],
+        [120.088, 23.117],
+    ];
+    region(&coast, [120.811, 23.504], [121.906, 24.949])
+}
+
+/// A chamber of size 2 whose door leads to a room of size 20,000.
+fn chamber() -> Region {
+    let far = 10_000.0;
+    let mut walls = vec![[-1.0, -1.0], [1.0, -1.0], [1.0, -0.25], [1.2, -0.25], [1.2, -far], [2.0 * far + 1.2, -far]];
+    walls.extend(walls.clone().into_iter().rev().map(|[x, y]| [x, -y]));
+    region(&walls, [-0.3, 0.0], [-1.0, 0.0])
+}
+
+fn spread_over_disk(count: usize) -> Vec<Complex64> {
+    let point = |k| Complex64::from_polar(0.99 * share(k, 0.618_034).sqrt(), TAU * share(k, 0.754_878));
+    (1..=count).map(point).collect()
+}
+
+/// Where two charts met in the spike of this coast, 400,000 squares were cut for nothing: 6 MB.
+#[test]
+fn the_way_back_into_a_spike_is_bounded() {
+    let map = solve(&spit(), 1e-4);
+    map.prepare(&mut |_, _| true).unwrap();
+    assert!(map.evaluator_bytes() < 1_000_000, "{} bytes", map.evaluator_bytes());
+    let w = spread_over_disk(2000);
+    let there_and_back = map.to_disk(&map.from_disk(&w));
+    let worst = largest(there_and_back.iter().zip(&w).map(|(a, b)| (a - b).norm()));
+    assert!(worst <= map.error_estimate(), "{worst:e} against {:e}", map.error_estimate());
+}
+
+/// A small chamber beside a room 10,000 times larger: errors are relative to the chamber.
+#[test]
+fn small_chambers_of_large_regions_keep_their_digits() {
+    let map = solve(&chamber(), 1e-8);
+    let w = spread_over_disk(20_000);
+    let there_and_back = map.to_disk(&map.from_disk(&w));
+    let worst = largest(there_and_back.iter().zip(&w).map(|(a, b)| (a - b).norm()));
+    assert!(worst <= map.error_estimate(), "{worst:e} against {:e}", map.error_estimate());
+}
+
+/// What is crowded at the far end of a long region comes back roughly, but it comes back.
+#[test]
+fn crowded_far_ends_come_back() {
+    let region = region(&[[0.0, 0.0], [16.0, 0.0], [16.0, 1.0], [0.0, 1.0]], [0.5, 0.5], [0.0, 0.5]);
+    let map = solve(&region, 1e-8);
+    let grid = (0..4000).map(|k| c(16.0 * share(k, 0.618_034), share(k, 0.754_878)));
+    let w = map.to_disk(&grid.filter(|z| region.contains(*z)).collect::<Vec<_>>());
+    assert!(w.iter().all(|w| w.norm() <= 1.0 + 2.0 * f64::EPSILON));
+    assert!(map.from_disk(&w).iter().all(|z| z.re.is_finite() && z.im.is_finite()));
+}
+
+/// The same question has the same answer, alone or among many, whatever was asked before.
+#[test]
+fn answers_do_not_depend_on_history() {
+    let region = spit();
+    let w = spread_over_disk(12_000);
+    let one_by_one: Vec<Complex64> = {
+        let map = solve(&region, 1e-4);
+        w.iter().flat_map(|&w| map.from_disk(&[w])).collect()
+    };
+    assert_eq!(solve(&region, 1e-4).from_disk(&w), one_by_one);
+}
