@@ -127,7 +127,7 @@ fn chosen<'a>(map: &'a dyn Correspondence, options: &MeshOptions, room: Room, pr
         Density::Spacing(spacing) => {
             let mut draft = Draft::sampled(map, spacing, room)?;
             draft.connect_valid(map, progress)?;
-            draft.evidence.largest_error = draft.largest_error();
+            draft.measure();
             return Ok(draft);
         }
     };
@@ -159,8 +159,8 @@ impl<'a> Draft<'a> {
             let before = self.source.len();
             let full = self.refine_to(bound, progress)?;
             self.connect_valid(self.map, progress)?;
-            self.evidence.largest_error = self.largest_error();
-            self.evidence.stop = match self.evidence.largest_error <= bound {
+            self.measure();
+            self.evidence.stop = match self.evidence.largest_error.max(self.evidence.crowded_error) <= bound {
                 true => MeshStop::Density,
                 false if full => MeshStop::MaxNodes,
                 false => MeshStop::Crowded,
@@ -202,7 +202,7 @@ impl<'a> Draft<'a> {
             }
         }
         self.connect_valid(map, progress)?;
-        self.evidence.largest_error = self.largest_error();
+        self.measure();
         Ok(())
     }
 

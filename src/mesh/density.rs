@@ -51,7 +51,9 @@ impl Draft<'_> {
             self.flip_bad();
             let probes = self.probes();
             self.look_up(&mut known, &probes);
-            let off: Vec<_> = probes.iter().map(|&probe| (probe, self.error(&known, probe))).collect();
+            let fine = |probe: &&Probe| self.is_shorter(probe.facet, self.room.finest);
+            let off = probes.iter().filter(|probe| !fine(probe)).map(|&probe| (probe, self.error(&known, probe)));
+            let off: Vec<_> = off.collect();
             worst.push(off.iter().map(|(_, error)| *error).fold(0.0, f64::max));
             let off: HashSet<_> =
                 off.into_iter().filter(|(_, error)| *error > bound).map(|(probe, _)| probe.facet).collect();
@@ -71,15 +73,19 @@ impl Draft<'_> {
         Ok(false)
     }
 
-    /// The largest distance, in plane units of the target, between the map and its affine pieces; infinite if the map has no
-    /// value at a probe.
-    pub(super) fn largest_error(&self) -> f64 {
-        let seen = |probe: &Probe| !self.is_shorter(probe.facet, ONE_COLOUR);
+    /// Finds the largest distances between the map and its affine pieces: infinite if the map has no value at a probe.
+    pub(super) fn measure(&mut self) {
         let (boundary, inner): (Vec<_>, Vec<_>) =
-            self.probes().into_iter().filter(seen).partition(|probe| matches!(probe.facet, Facet::Boundary(..)));
-        let inner = inner.iter().zip(self.images(&inner)).map(|(&probe, image)| self.error_inside(probe, image));
-        let boundary = boundary.iter().map(|&probe| self.error_on_boundary(probe, self.on_boundary(probe)));
-        inner.chain(boundary).fold(0.0, f64::max)
+            self.probes().into_iter().partition(|probe| matches!(probe.facet, Facet::Boundary(..)));
+        let inside = inner.iter().zip(self.images(&inner)).map(|(&probe, w)| (probe, self.error_inside(probe, w)));
+        let around = boundary.iter().map(|&probe| (probe, self.error_on_boundary(probe, self.on_boundary(probe))));
+        let (mut seen, mut crowded) = (0.0, 0.0_f64);
+        for (probe, error) in inside.chain(around) {
+            let largest = if self.is_shorter(probe.facet, ONE_COLOUR) { &mut crowded } else { &mut seen };
+            *largest = error.max(*largest);
+        }
+        self.evidence.largest_error = seen;
+        self.evidence.crowded_error = crowded;
     }
 
     /// Computes what is not known yet.

@@ -38,8 +38,8 @@ pub enum MeshStop {
     /// It has the density that was asked for: the spacing, or an error within the bound.
     #[default]
     Density,
-    /// The error is above the bound, and more nodes do not help: double precision has no room for them. A picture drawn
-    /// by the map itself, without a mesh, has no such limit.
+    /// The error is above the bound, if only where parts of the source show one colour, and more nodes do not help: double
+    /// precision has no room for them. A picture drawn by the map itself, without a mesh, has no such limit.
     Crowded,
     /// The error is above the bound, and there are as many nodes as a mesh may have.
     MaxNodes,
@@ -60,9 +60,12 @@ pub struct Evidence {
     /// Boundary nodes moved along an outline because the maps crowd them together beyond double precision.
     pub moved: usize,
     /// Largest distance between the map and its affine pieces, measured at the middles of edges and triangles and towards
-    /// corners, in what was mended too; infinite if the map has no value there. Places so small that they show one colour of
-    /// the source do not count.
+    /// corners, in what was mended too; infinite if the map has no value there. What is so small in the source that it shows
+    /// one colour does not count.
     pub largest_error: f64,
+    /// The same for what is so small in the source that it shows one colour, be it large in the target: parts that the maps
+    /// crowd together beyond double precision.
+    pub crowded_error: f64,
     /// Why there are no more nodes.
     pub stop: MeshStop,
     /// Largest distance between where the paper's route puts the samples and where the
@@ -77,6 +80,12 @@ impl Evidence {
     #[must_use]
     pub fn largest_error_pixels(&self) -> Option<f64> {
         self.pixel_size.map(|pixel| self.largest_error / pixel)
+    }
+
+    /// [`Evidence::crowded_error`] in pixels, if a frame was given.
+    #[must_use]
+    pub fn crowded_error_pixels(&self) -> Option<f64> {
+        self.pixel_size.map(|pixel| self.crowded_error / pixel)
     }
 
     /// [`Evidence::route_difference`] in pixels, if a frame was given.

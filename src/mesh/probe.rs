@@ -119,19 +119,12 @@ impl Draft<'_> {
     /// How far the map, which takes a probe inside to `image`, is from the affine piece; infinite where it has no value.
     pub(super) fn error_inside(&self, probe: Probe, image: Complex64) -> f64 {
         let distance = (image - probe.place(&self.target)).norm();
-        match self.is_shorter(probe.facet, self.room.finest) {
-            true => 0.0,
-            false if distance.is_nan() => f64::INFINITY,
-            false => distance,
-        }
+        if distance.is_nan() { f64::INFINITY } else { distance }
     }
 
     /// The same on the boundary; 0 where that cannot be split.
     pub(super) fn error_on_boundary(&self, probe: Probe, point: Option<RingNode>) -> f64 {
         let (Facet::Boundary(p, q), Some(point)) = (probe.facet, point) else { return 0.0 };
-        if self.is_shorter(probe.facet, self.room.finest) {
-            return 0.0;
-        }
         let at = |points: &[Complex64], k: u32| points[k as usize];
         let share =
             (point.source.point - at(&self.source, p)).norm() / (at(&self.source, q) - at(&self.source, p)).norm();

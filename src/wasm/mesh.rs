@@ -188,6 +188,8 @@ impl JointTriangulation {
             largest_error: found.largest_error,
             stop: found.stop,
             largest_error_pixels: found.largest_error_pixels(),
+            crowded_error: found.crowded_error,
+            crowded_error_pixels: found.crowded_error_pixels(),
             route_difference: found.route_difference,
             route_difference_pixels: found.route_difference_pixels(),
             largest_angle_error: self.0.largest_angle_error(),
@@ -235,14 +237,20 @@ pub struct MeshEvidence {
     /// Boundary nodes moved along an outline because the maps crowd them together beyond double precision.
     pub moved: usize,
     /// The largest distance between the map and its affine pieces, in plane units of the target, in what was mended too; not
-    /// finite if the map has no value somewhere. Places so small that they show one colour of the source do not count.
+    /// finite if the map has no value somewhere. What is so small in the source that it shows one colour does not count.
     pub largest_error: f64,
-    /// Why there are no more nodes: "density" if it is as asked; "crowded" if the error is above the bound but double precision
+    /// Why there are no more nodes: "density" if it is as asked; "crowded" if an error is above the bound but double precision
     /// has no room for more nodes; "max-nodes" if there are as many as there may be.
     pub stop: MeshStop,
     /// The same in pixels of the frame, if one was given.
     #[tsify(optional)]
     pub largest_error_pixels: Option<f64>,
+    /// The same for what is so small in the source that it shows one colour, be it large in the target: parts that the maps
+    /// crowd together beyond double precision. In plane units of the target.
+    pub crowded_error: f64,
+    /// The same in pixels of the frame, if one was given.
+    #[tsify(optional)]
+    pub crowded_error_pixels: Option<f64>,
     /// The largest distance between where the route "located" puts samples and where the exact one does, in plane units of
     /// the target.
     pub route_difference: f64,
