@@ -286,15 +286,11 @@ mod tests {
     #[test]
     fn levels_double_until_they_hold_the_picture() {
         let (_, frame, stack) = stack(96);
-        let widths: Vec<f64> =
-            stack.levels().iter().rev().map(|(_, level)| level.width() / frame.pixel_size()).collect();
-        assert!(
-            widths.iter().zip([96.0, 192.0, 384.0, 768.0, 1536.0]).all(|(a, b)| (a - b).abs() < 1e-9),
-            "{widths:?}"
-        );
-        assert_eq!(widths.len(), 5);
+        let pixels = |(_, level): &(_, Frame)| (level.width() / frame.pixel_size()).round();
+        // The level of 768 holds all of 700 × 500, although the crops are not centered on it.
+        assert_eq!(stack.levels().iter().rev().map(pixels).collect::<Vec<_>>(), [96.0, 192.0, 384.0, 768.0]);
         let texels: usize = stack.levels().iter().map(|(texture, _)| texture.size().iter().product::<usize>()).sum();
-        assert_eq!(texels, widths.len() * 96 * 96);
+        assert_eq!(texels, 4 * 96 * 96);
     }
 
     #[test]
