@@ -48,6 +48,8 @@ impl JointTriangulation {
     /// # Errors
     /// As there, and [`Error::Cancelled`].
     pub fn region_to_disk_with(map: &RiemannMap, options: &MeshOptions, progress: Progress) -> Result<Self> {
+        options.check()?;
+        map.prepare(progress)?;
         between(&OntoDisk(map), options, progress)
     }
 
@@ -70,6 +72,9 @@ impl JointTriangulation {
         options: &MeshOptions,
         progress: Progress,
     ) -> Result<Self> {
+        options.check()?;
+        from.prepare(progress)?;
+        to.prepare(progress)?;
         let exact = RegionMap::between(from, to);
         match options.route {
             Route::Exact => between(&exact, options, progress),

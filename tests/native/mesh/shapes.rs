@@ -140,6 +140,13 @@ fn letters_become_small_meshes() {
 #[test]
 fn a_mesh_reports_and_can_be_cancelled() {
     let [from, to] = [star(5, 0.4), star(3, 1.0)];
+    let mut first = 0;
+    let unprepared = JointTriangulation::region_to_region_with(&from, &to, &within_one_pixel(), &mut |_, _| {
+        first += 1;
+        false
+    });
+    assert_eq!((unprepared.unwrap_err().code(), first), ("cancelled", 1));
+    [&from, &to].into_iter().for_each(|map| map.prepare(&mut |_, _| true).unwrap());
     let mut heard = Vec::new();
     let mesh = JointTriangulation::region_to_region_with(&from, &to, &within_one_pixel(), &mut |stage, fraction| {
         assert!((0.0..=1.0).contains(&fraction), "{stage}: {fraction}");
