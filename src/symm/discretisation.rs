@@ -58,6 +58,14 @@ impl Discretisation {
         self.at_each_panel(&self.order.panel.nodes.iter().map(|t| 0.5 * (t + 1.0)).collect::<Vec<_>>())
     }
 
+    /// The nodes of some panels.
+    #[must_use]
+    pub fn collocation_points_of(&self, panels: &[usize]) -> Vec<Target> {
+        let nodes = &self.order.panel.nodes;
+        let at = |q: usize| nodes.iter().map(move |t| self.target(&self.panels[q], 0.5 * (t + 1.0)));
+        panels.iter().flat_map(|&q| at(q)).collect()
+    }
+
     /// Two points a panel where the equation was not asked to hold, close to its ends, where it holds worst.
     #[must_use]
     pub fn check_points(&self) -> Vec<Target> {

@@ -9,8 +9,10 @@ use super::discretisation::{Discretisation, Target};
 use super::influence::Influence;
 use super::multipole::{binomials, shift_multipole};
 use super::options::Progress;
+use super::refinement::Refinement;
 use crate::plane::Complex64;
 use crate::{Error, Result};
+use std::collections::HashMap;
 
 /// Clusters this far apart interact through expansions, whose error falls like SEPARATION^order.
 const SEPARATION: f64 = 0.5;
@@ -43,12 +45,34 @@ impl FastInfluence {
     /// # Errors
     /// [`Error::Cancelled`].
     pub fn new(discretisation: &Discretisation, targets: &[Target], digits: f64, progress: Progress) -> Result<Self> {
+        let mut fast = Self::without_near(discretisation, targets, digits);
+        fast.fill_near(discretisation, targets, None, progress)?;
+        Ok(fast)
+    }
+
+    /// The same for refined panels; entries between panels that were kept are taken over.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn refined(
+        &self,
+        refinement: &Refinement,
+        discretisation: &Discretisation,
+        targets: &[Target],
+        progress: Progress,
+    ) -> Result<Self> {
+        let mut fast = Self::without_near(discretisation, targets, discretisation.order.digits);
+        fast.fill_near(discretisation, targets, Some(&NearBlocks::new(self, refinement)), progress)?;
+        Ok(fast)
+    }
+
+    fn without_near(discretisation: &Discretisation, targets: &[Target], digits: f64) -> Self {
         let p = discretisation.order.p();
         let order = (digits * std::f64::consts::LN_10 / -SEPARATION.ln()).ceil() as usize;
         let tree = ClusterTree::new(discretisation, LEAF_UNKNOWNS.div_ceil(p));
         let interactions = tree.interactions(SEPARATION);
         let targets_per_panel = targets.len() / discretisation.panels.len();
-        let mut fast = Self {
+        Self {
             p,
             order,
             targets_per_panel,
@@ -58,12 +82,16 @@ impl FastInfluence {
             binomials: signed_binomials(order),
             tree,
             interactions,
-        };
-        fast.fill_near(discretisation, targets, progress)?;
-        Ok(fast)
+        }
     }
 
-    fn fill_near(&mut self, discretisation: &Discretisation, targets: &[Target], progress: Progress) -> Result<()> {
+    fn fill_near(
+        &mut self,
+        discretisation: &Discretisation,
+        targets: &[Target],
+        known: Option<&NearBlocks>,
+        progress: Progress,
+    ) -> Result<()> {
         let clusters = &self.tree.clusters;
         let size = |&(t, s): &(usize, usize)| {
             clusters[t].panels.len() * self.targets_per_panel * clusters[s].panels.len() * self.p
@@ -75,8 +103,19 @@ impl FastInfluence {
             rest = after;
             let (target, source) = (&clusters[pair.0], &clusters[pair.1]);
             let rows = target.panels.start * self.targets_per_panel..target.panels.end * self.targets_per_panel;
-            for (target, row) in targets[rows].iter().zip(block.chunks_exact_mut(source.panels.len() * self.p)) {
-                discretisation.fill_row(*target, source.panels.start, row);
+            for (i, row) in rows.zip(block.chunks_exact_mut(source.panels.len() * self.p)) {
+                let Some(known) = known else {
+                    discretisation.fill_row(targets[i], source.panels.start, row);
+                    continue;
+                };
+                let (panel, target) = (i / self.targets_per_panel, i % self.targets_per_panel);
+                let mut before = None;
+                for (q, entries) in source.panels.clone().zip(row.chunks_exact_mut(self.p)) {
+                    match known.row(panel, target, q, &mut before) {
+                        Some(row) => entries.copy_from_slice(row),
+                        None => discretisation.fill_row(targets[i], q, entries),
+                    }
+                }
             }
             if done % 64 == 0 && !progress("assemble", done as f64 / self.interactions.near.len() as f64) {
                 return Err(Error::Cancelled);
@@ -165,6 +204,52 @@ impl FastInfluence {
         locals
     }
 }
+
+/// The near entries of an earlier round, by panels.
+struct NearBlocks<'a> {
+    fast: &'a FastInfluence,
+    refinement: &'a Refinement,
+    /// The leaf of each old panel.
+    leaves: Vec<usize>,
+    /// Where the entries of each pair of leaves start.
+    starts: HashMap<(usize, usize), usize>,
+}
+
+impl<'a> NearBlocks<'a> {
+    fn new(fast: &'a FastInfluence, refinement: &'a Refinement) -> Self {
+        let clusters = &fast.tree.clusters;
+        let mut leaves = vec![0; clusters[0].panels.len()];
+        for (index, leaf) in clusters.iter().enumerate().filter(|(_, cluster)| cluster.children.is_none()) {
+            leaves[leaf.panels.clone()].fill(index);
+        }
+        let mut starts = HashMap::with_capacity(fast.interactions.near.len());
+        let mut start = 0;
+        for &(t, s) in &fast.interactions.near {
+            starts.insert((t, s), start);
+            start += clusters[t].panels.len() * fast.targets_per_panel * clusters[s].panels.len() * fast.p;
+        }
+        Self { fast, refinement, leaves, starts }
+    }
+
+    /// The entries at a target of new panel `panel` from the nodes of new panel `source`, if both were kept and were near.
+    /// `before` remembers where the last pair of leaves starts.
+    fn row(&self, panel: usize, target: usize, source: usize, before: &mut Option<Found>) -> Option<&'a [f64]> {
+        let (panel, source) = (self.refinement.kept(panel)?, self.refinement.kept(source)?);
+        let pair = (self.leaves[panel], self.leaves[source]);
+        let start = match *before {
+            Some((known, start)) if known == pair => start,
+            _ => self.starts.get(&pair).copied(),
+        };
+        *before = Some((pair, start));
+        let (rows, columns) = (&self.fast.tree.clusters[pair.0].panels, &self.fast.tree.clusters[pair.1].panels);
+        let row = (panel - rows.start) * self.fast.targets_per_panel + target;
+        let p = self.fast.p;
+        Some(&self.fast.near_entries[start? + (row * columns.len() + source - columns.start) * p..][..p])
+    }
+}
+
+/// A pair of leaves, and where its entries start if it is near.
+type Found = ((usize, usize), Option<usize>);
 
 /// More terms than 16 digits need at this separation.
 const MAX_ORDER: usize = 56;
@@ -277,5 +362,27 @@ mod tests {
                 assert!(error < 10f64.powf(-digits) * 5.0, "{digits} digits: {error:e}");
             }
         }
+    }
+
+    #[test]
+    fn refining_takes_over_what_stays() {
+        let star: Vec<Complex64> = (0..120)
+            .map(|k| {
+                Complex64::from_polar(if k % 2 == 0 { 1.0 } else { 0.8 }, f64::from(k) * std::f64::consts::TAU / 120.0)
+            })
+            .collect();
+        let boundary = Arc::new(Boundary::new(&Polygon::new(&star).unwrap()));
+        let mut rules = Rules::new(Order::new(4, 8.0));
+        let panels = initial_panels(&boundary, 1.0);
+        let before = Discretisation::new(Arc::clone(&boundary), panels, &mut rules);
+        let residuals: Vec<f64> = (0..before.panels.len()).map(|q| f64::from(u8::from(q % 9 == 4))).collect();
+        let refinement = Refinement::new(&before, &residuals, 0.5);
+        let after = Discretisation::new(boundary, refinement.panels.clone(), &mut rules);
+        assert!(after.panels.len() > before.panels.len() + 20);
+        let progress = &mut |_: &'static str, _: f64| true;
+        let old = FastInfluence::new(&before, &before.collocation_points(), 8.0, progress).unwrap();
+        let fresh = FastInfluence::new(&after, &after.collocation_points(), 8.0, progress).unwrap();
+        let refined = old.refined(&refinement, &after, &after.collocation_points(), progress).unwrap();
+        assert_eq!(refined.near_entries, fresh.near_entries, "bit for bit");
     }
 }

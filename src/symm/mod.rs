@@ -16,8 +16,8 @@
 //!   where their residuals weigh most;
 //! - [`system`] solves them: by factorisation ([`lu`]) when small, else by iteration ([`gmres`]) with a preconditioner
 //!   ([`two_level`]) and products from stored entries ([`influence`]) or expansions ([`fast_multipole`], [`multipole`], [`clusters`]);
-//! - [`solve`] refines until the estimate meets the tolerance; [`center`] moves the center of what is solved, and
-//!   [`far_center`] moves it far;
+//! - [`solve`] refines ([`refinement`]) until the estimate meets the tolerance; [`center`] moves the center of what is
+//!   solved, and [`far_center`] moves it far;
 //! - [`solution`] is the answer: [`correspondence`] on the boundary, [`potential`] inside, [`local_series`] there
 //!   as power series.
 //!
@@ -42,6 +42,7 @@ pub mod order;
 pub mod panel;
 pub mod panel_blocks;
 pub mod potential;
+mod refinement;
 pub mod rule;
 mod series_sum;
 pub mod smooth;

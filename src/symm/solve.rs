@@ -5,6 +5,7 @@ use super::discretisation::Discretisation;
 use super::options::{Progress, SolveOptions, Stop};
 use super::order::Order;
 use super::panel::{Boundary, Panel, initial_panels};
+use super::refinement::Refinement;
 use super::rule::Rules;
 use super::solution::{ERROR_PER_RESIDUAL, estimate_of, finish};
 use super::system::{System, SystemSolution};
@@ -81,7 +82,7 @@ pub(super) fn adapt(
         let fine = ITERATION_SHARE * acceptable / (0.01 * weight).max(1.0);
         let rough = fine.max(ROUGH_SHARE * acceptable / weight);
         let mut outcome = system.solve(center, rough, guess.take(), progress)?;
-        let mut panels = refine(&system.discretisation, &outcome.residuals, acceptable);
+        let mut refinement = Refinement::new(&system.discretisation, &outcome.residuals, REFINE_SHARE * acceptable);
         let ends = |outcome: &SystemSolution, panels: &[Panel]| {
             let estimate = estimate_of(&system.discretisation, outcome);
             estimate <= options.tolerance
@@ -89,9 +90,9 @@ pub(super) fn adapt(
                 || panels.len() * rules.order.p() > options.max_unknowns
                 || estimate > STAGNATION_SHARE * previous_estimate && outcome.residual() < STAGNATION_BELOW
         };
-        if ends(&outcome, &panels) {
+        if ends(&outcome, &refinement.panels) {
             outcome = system.solve(center, fine, Some(outcome.masses), progress)?;
-            panels = refine(&system.discretisation, &outcome.residuals, acceptable);
+            refinement = Refinement::new(&system.discretisation, &outcome.residuals, REFINE_SHARE * acceptable);
         }
         let from_residual = estimate_of(&system.discretisation, &outcome);
         let from_noise =
@@ -99,9 +100,9 @@ pub(super) fn adapt(
         let error_estimate = from_residual + from_noise;
         let stop = if error_estimate <= options.tolerance {
             Some(Stop::Tolerance)
-        } else if !ends(&outcome, &panels) && from_noise <= from_residual {
+        } else if !ends(&outcome, &refinement.panels) && from_noise <= from_residual {
             None
-        } else if panels.len() * rules.order.p() > options.max_unknowns {
+        } else if refinement.panels.len() * rules.order.p() > options.max_unknowns {
             Some(Stop::MaxUnknowns)
         } else {
             Some(Stop::Stagnation)
@@ -110,40 +111,9 @@ pub(super) fn adapt(
             return finish(system, center, outcome, error_estimate, stop);
         }
         previous_estimate = from_residual;
-        guess = Some(carried(&system.discretisation, &outcome.masses, &panels));
-        let boundary = Arc::clone(&system.discretisation.boundary);
-        // Its matrix is not needed any more, and the next one needs its memory.
-        drop(system);
-        system = Arc::new(System::new(Discretisation::new(boundary, panels, &mut rules), progress)?);
+        guess = Some(refinement.carried(&system.discretisation, &outcome.masses));
+        system = Arc::new(system.refined(refinement, &mut rules, progress)?);
     }
-}
-
-/// Masses on panels → on the nodes of the same panels, some of which are halved.
-fn carried(from: &Discretisation, masses: &[f64], to: &[Panel]) -> Vec<f64> {
-    let gauss = &from.order.panel;
-    let p = gauss.len();
-    let mut carried = Vec::with_capacity(to.len() * p);
-    let mut basis = vec![0.0; p];
-    let mut next = to.iter();
-    for (panel, masses) in from.panels.iter().zip(masses.chunks_exact(p)) {
-        let density: Vec<f64> = masses.iter().zip(&gauss.weights).map(|(mass, w)| mass / w).collect();
-        let Some(first) = next.next() else { break };
-        if first == panel {
-            carried.extend_from_slice(masses);
-            continue;
-        }
-        for half in [Some(first), next.next()].into_iter().flatten() {
-            for (t, w) in gauss.nodes.iter().zip(&gauss.weights) {
-                let s = half.distance_at(0.5 * (t + 1.0));
-                let tau = panel.tau_at(s);
-                gauss.lagrange(2.0 * tau - 1.0, &mut basis);
-                // s is a power of τ on the panel and on the half at its corner; dτ' is the half's.
-                let stretch = panel.slope_at(s) / half.slope_at(s);
-                carried.push(w * stretch * basis.iter().zip(&density).map(|(b, g)| b * g).sum::<f64>());
-            }
-        }
-    }
-    carried
 }
 
 /// Unknowns a panel and digits of quadrature that reach a tolerance with the least work (measured), or as many unknowns as
@@ -185,25 +155,4 @@ fn facing(boundary: &Boundary, panels: Vec<Panel>, center: Complex64) -> Vec<Pan
         }
     }
     facing
-}
-
-/// Halves the panels whose residuals are above their share of the acceptable one, or if there are none, above a smaller share.
-fn refine(discretisation: &Discretisation, residuals: &[f64], acceptable: f64) -> Vec<Panel> {
-    let panels = &discretisation.panels;
-    let weighted = |q: usize| residuals[q] * discretisation.walls.weight(q);
-    let mut refined = Vec::with_capacity(panels.len());
-    for share in [1.0, 0.3, 0.1].map(|share| share * REFINE_SHARE * acceptable) {
-        refined.clear();
-        for (q, panel) in panels.iter().enumerate() {
-            if weighted(q) > share && panel.can_be_halved() {
-                refined.extend(panel.halves());
-            } else {
-                refined.push(*panel);
-            }
-        }
-        if refined.len() > panels.len() {
-            break;
-        }
-    }
-    refined
 }

@@ -6,10 +6,13 @@ use super::gmres::gmres;
 use super::influence::{DenseInfluence, Influence};
 use super::lu::Lu;
 use super::options::Progress;
+use super::refinement::Refinement;
+use super::rule::Rules;
 use super::two_level::TwoLevel;
 use crate::Result;
 use crate::plane::Complex64;
 use std::fmt;
+use std::sync::Arc;
 
 /// The matrix and its (approximate) inverse. Another center is one more right-hand side.
 pub struct System {
@@ -17,9 +20,23 @@ pub struct System {
     pub discretisation: Discretisation,
     targets: Vec<Target>,
     checks: Vec<Target>,
-    equations: Box<dyn Influence>,
-    check_equations: Box<dyn Influence>,
-    inverse: Inverse,
+    equations: Arc<Equations>,
+    check_equations: Arc<Equations>,
+    inverse: Arc<Inverse>,
+}
+
+enum Equations {
+    Dense(DenseInfluence),
+    Fast(FastInfluence),
+}
+
+impl Equations {
+    fn apply(&self, masses: &[f64], potentials: &mut [f64]) {
+        match self {
+            Self::Dense(dense) => dense.apply(masses, potentials),
+            Self::Fast(fast) => fast.apply(masses, potentials),
+        }
+    }
 }
 
 enum Inverse {
@@ -65,7 +82,7 @@ impl System {
         let checks = discretisation.check_points();
         let n = discretisation.unknowns();
         let digits = discretisation.order.digits;
-        let (equations, check_equations, inverse): (Box<dyn Influence>, Box<dyn Influence>, _) = if n <= DENSE_UP_TO {
+        let (equations, check_equations, inverse) = if n <= DENSE_UP_TO {
             let equations = DenseInfluence::new(&discretisation, &targets, progress)?;
             let inverse = if n <= FACTOR_UP_TO {
                 Inverse::Exact(Lu::new(n + 1, equations.bordered()))
@@ -73,15 +90,54 @@ impl System {
                 Inverse::TwoLevel(TwoLevel::new(&discretisation, progress)?)
             };
             let checks = DenseInfluence::new(&discretisation, &checks, progress)?;
-            (Box::new(equations), Box::new(checks), inverse)
+            (Equations::Dense(equations), Equations::Dense(checks), inverse)
         } else {
             (
-                Box::new(FastInfluence::new(&discretisation, &targets, digits, progress)?),
-                Box::new(FastInfluence::new(&discretisation, &checks, digits, progress)?),
+                Equations::Fast(FastInfluence::new(&discretisation, &targets, digits, progress)?),
+                Equations::Fast(FastInfluence::new(&discretisation, &checks, digits, progress)?),
                 Inverse::TwoLevel(TwoLevel::new(&discretisation, progress)?),
             )
         };
-        Ok(Self { discretisation, targets, checks, equations, check_equations, inverse })
+        let (equations, check_equations) = (Arc::new(equations), Arc::new(check_equations));
+        Ok(Self { discretisation, targets, checks, equations, check_equations, inverse: Arc::new(inverse) })
+    }
+
+    /// The system of refined panels; a large one takes over what concerns panels that were kept.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    pub fn refined(self: Arc<Self>, refinement: Refinement, rules: &mut Rules, progress: Progress) -> Result<Self> {
+        let boundary = Arc::clone(&self.discretisation.boundary);
+        let discretisation = Discretisation::new(boundary, refinement.panels.clone(), rules);
+        // What is not needed any more makes room for what comes, unless somebody else holds the system.
+        let (equations, check_equations, inverse) = match Arc::try_unwrap(self) {
+            Ok(old) => (old.equations, old.check_equations, old.inverse),
+            Err(old) => (Arc::clone(&old.equations), Arc::clone(&old.check_equations), Arc::clone(&old.inverse)),
+        };
+        let two_level = match inverse.as_ref() {
+            Inverse::TwoLevel(two_level) => two_level.refined(&refinement, &discretisation, progress)?,
+            Inverse::Exact(_) => None,
+        };
+        drop(inverse);
+        let (Equations::Fast(fast), Equations::Fast(fast_checks), Some(two_level)) =
+            (equations.as_ref(), check_equations.as_ref(), two_level)
+        else {
+            drop((equations, check_equations));
+            return Self::new(discretisation, progress);
+        };
+        let targets = discretisation.collocation_points();
+        let refined = fast.refined(&refinement, &discretisation, &targets, progress)?;
+        drop(equations);
+        let checks = discretisation.check_points();
+        let refined_checks = fast_checks.refined(&refinement, &discretisation, &checks, progress)?;
+        Ok(Self {
+            discretisation,
+            targets,
+            checks,
+            equations: Arc::new(Equations::Fast(refined)),
+            check_equations: Arc::new(Equations::Fast(refined_checks)),
+            inverse: Arc::new(Inverse::TwoLevel(two_level)),
+        })
     }
 
     /// Solves for `center` (scaled units) until the equations hold to `tolerance` in the mean, from `guess` if there is one.
@@ -143,7 +199,7 @@ impl System {
             y[..n].iter_mut().for_each(|value| *value += x[n]);
             y[n] = x[..n].iter().sum();
         };
-        let precondition = |r: &[f64], z: &mut [f64]| match &self.inverse {
+        let precondition = |r: &[f64], z: &mut [f64]| match self.inverse.as_ref() {
             Inverse::Exact(lu) => {
                 z.copy_from_slice(r);
                 lu.solve(z);

@@ -7,9 +7,11 @@
 use super::discretisation::Discretisation;
 use super::lu::Lu;
 use super::options::Progress;
+use super::refinement::Refinement;
 use crate::plane::Complex64;
 use crate::{Error, Result};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Unknowns that a group should have.
 const GROUP_UNKNOWNS: usize = 32;
@@ -18,9 +20,11 @@ const GROUP_UNKNOWNS: usize = 32;
 #[derive(Clone, Debug)]
 pub struct TwoLevel {
     groups: Vec<Group>,
+    /// The panels of each group.
+    ranges: Vec<Range<usize>>,
     /// Share of its group's mass that each node carries on the coarse level.
     shares: Vec<f64>,
-    coarse: Lu,
+    coarse: Arc<Lu>,
 }
 
 #[derive(Clone, Debug)]
@@ -29,7 +33,9 @@ struct Group {
     own: Range<usize>,
     /// Those solved for: its own first, then its neighbours'.
     extended: Vec<usize>,
-    local: Lu,
+    /// The groups of these neighbours.
+    neighbours: Vec<usize>,
+    local: Arc<Lu>,
 }
 
 impl TwoLevel {
@@ -45,39 +51,55 @@ impl TwoLevel {
         let ranges: Vec<Range<usize>> = bounds.windows(2).map(|pair| pair[0]..pair[1]).collect();
         let shares = coarse_shares(discretisation, &ranges);
         let layout = Layout::new(discretisation, &ranges, &shares);
-        let targets = discretisation.collocation_points();
-        let local_matrix = |members: &[usize]| {
-            let mut matrix = Vec::with_capacity((members.len() * p).pow(2));
-            let mut entries = vec![0.0; p];
-            for &row_panel in members {
-                for target in &targets[row_panel * p..][..p] {
-                    for &q in members {
-                        discretisation.fill_row(*target, q, &mut entries);
-                        matrix.extend_from_slice(&entries);
-                    }
-                }
-            }
-            matrix
-        };
         let mut groups = Vec::with_capacity(count);
         let mut self_potential = Vec::with_capacity(count);
         for (g, range) in ranges.iter().enumerate() {
             if g % 16 == 0 && !progress("precondition", g as f64 / count as f64) {
                 return Err(Error::Cancelled);
             }
-            // Its own panels come first, then the neighbours'.
             let neighbours = layout.neighbours(g);
-            let members: Vec<usize> =
-                range.clone().chain(neighbours.into_iter().flat_map(|h| ranges[h].clone())).collect();
-            let size = members.len() * p;
-            let matrix = local_matrix(&members);
+            let members = members(&ranges, g, &neighbours);
+            let matrix = local_matrix(discretisation, &members);
             let own = range.start * p..range.end * p;
-            self_potential.push(mean_potential(&matrix, size, &shares[own.clone()]));
-            let extended = members.iter().flat_map(|q| q * p..(q + 1) * p).collect();
-            groups.push(Group { own, extended, local: Lu::new(size, matrix) });
+            self_potential.push(mean_potential(&matrix, members.len() * p, &shares[own]));
+            groups.push(Group::new(p, range, &members, neighbours, Arc::new(Lu::new(members.len() * p, matrix))));
         }
         let coarse = coarse_matrix(&layout, &shares, &self_potential);
-        Ok(Self { groups, shares, coarse: Lu::new(count + 1, coarse) })
+        Ok(Self { groups, ranges, shares, coarse: Arc::new(Lu::new(count + 1, coarse)) })
+    }
+
+    /// The same for refined panels, with the groups and the coarse level that there are; only groups with halved panels are
+    /// factored. `None` if too many were halved for that.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn refined(
+        &self,
+        refinement: &Refinement,
+        discretisation: &Discretisation,
+        progress: Progress,
+    ) -> Result<Option<Self>> {
+        let p = discretisation.order.p();
+        let panel = |q: usize| refinement.first_from(q);
+        let ranges: Vec<Range<usize>> = self.ranges.iter().map(|old| panel(old.start)..panel(old.end)).collect();
+        if ranges.iter().zip(&self.ranges).any(|(new, old)| new.len() > MOST_GROWTH * old.len()) {
+            return Ok(None);
+        }
+        let mut groups = Vec::with_capacity(ranges.len());
+        for (g, (range, old)) in ranges.iter().zip(&self.groups).enumerate() {
+            if g % 16 == 0 && !progress("precondition", g as f64 / ranges.len() as f64) {
+                return Err(Error::Cancelled);
+            }
+            let members = members(&ranges, g, &old.neighbours);
+            let local = if members.iter().all(|&q| refinement.kept(q).is_some()) {
+                Arc::clone(&old.local)
+            } else {
+                Arc::new(Lu::new(members.len() * p, local_matrix(discretisation, &members)))
+            };
+            groups.push(Group::new(p, range, &members, old.neighbours.clone(), local));
+        }
+        let shares = coarse_shares(discretisation, &ranges);
+        Ok(Some(Self { groups, ranges, shares, coarse: Arc::clone(&self.coarse) }))
     }
 
     /// Writes an approximation of the bordered system's solution for the right-hand side `r` into `z`.
@@ -99,6 +121,34 @@ impl TwoLevel {
         }
         z[n] = coarse[self.groups.len()];
     }
+}
+
+/// A refined group may have so many times the panels that it had.
+const MOST_GROWTH: usize = 2;
+
+impl Group {
+    fn new(p: usize, range: &Range<usize>, members: &[usize], neighbours: Vec<usize>, local: Arc<Lu>) -> Self {
+        let extended = members.iter().flat_map(|q| q * p..(q + 1) * p).collect();
+        Self { own: range.start * p..range.end * p, extended, neighbours, local }
+    }
+}
+
+/// The panels that are solved for with group `g`: its own come first, then the neighbours'.
+fn members(ranges: &[Range<usize>], g: usize, neighbours: &[usize]) -> Vec<usize> {
+    ranges[g].clone().chain(neighbours.iter().flat_map(|&h| ranges[h].clone())).collect()
+}
+
+/// The equations at the members' nodes in the members' masses.
+fn local_matrix(discretisation: &Discretisation, members: &[usize]) -> Vec<f64> {
+    let p = discretisation.order.p();
+    let targets = discretisation.collocation_points_of(members);
+    let mut matrix = vec![0.0; targets.len() * targets.len()];
+    for (target, row) in targets.iter().zip(matrix.chunks_exact_mut(targets.len())) {
+        for (&q, entries) in members.iter().zip(row.chunks_exact_mut(p)) {
+            discretisation.fill_row(*target, q, entries);
+        }
+    }
+    matrix
 }
 
 /// How a group's mass is spread over its nodes on the coarse level: by length.
