@@ -46,6 +46,10 @@ pub(super) fn moved_measure(previous: &Solution, center: Complex64) -> Vec<f64> 
         moved.push(mass * (1.0 - w.norm_sqr()) / (Complex64::cis(theta) - w).norm_sqr());
     }
     let total: f64 = moved.iter().sum();
+    if !total.is_normal() || total < 0.0 {
+        // So far away that `previous` knows nothing there.
+        return vec![1.0 / moved.len() as f64; moved.len()];
+    }
     moved.iter_mut().for_each(|mass| *mass /= total);
     moved
 }
