@@ -3,6 +3,7 @@
 import { drawnCanvas } from "./canvas.js";
 import { photoFrame } from "./frame.js";
 import { drawLattice } from "./lattice.js";
+import { forgetPhotos, keepPhoto, keptPhotos } from "./kept.js";
 import { photos } from "./photos.js";
 
 /**
@@ -23,16 +24,31 @@ const DRAWING = 1024;
 /** @type {Map<string, Promise<Picture>>} */
 const pictures = new Map();
 
+/** A visitor's own photos that this browser keeps. @type {Map<string, import("./kept.js").Kept>} */
+const own = new Map((await keptPhotos()).map((photo) => [photo.id, photo]));
+
+/** Ids and titles of the visitor's own photos. */
+export const ownPictures = () => [...own.values()].map(({ id, title }) => ({ id, title }));
+
+/** Forgets the visitor's own photos; one that is shown stays. */
+export async function forgetOwn() {
+  await forgetPhotos();
+  for (const id of own.keys()) pictures.delete(id);
+  own.clear();
+  window.dispatchEvent(new Event("own-pictures"));
+}
+
 /** Whether there is a picture of that id, loaded or not. @param {string} id */
-export const knowsPicture = (id) => photos.has(id) || pictures.has(id);
+export const knowsPicture = (id) => photos.has(id) || pictures.has(id) || own.has(id);
 
 /** A picture by id, loaded once; the error says in words what is wrong. @param {string} id @returns {Promise<Picture>} */
 export function loadPicture(id) {
   const known = pictures.get(id);
   if (known) return known;
   const photo = photos.get(id);
-  if (!photo) return Promise.reject(new Error(`There is no picture named “${id}”.`));
-  const loading = fetchPhoto(id, photo);
+  const mine = own.get(id);
+  if (!photo && !mine) return Promise.reject(new Error(`There is no picture named “${id}”.`));
+  const loading = photo ? fetchPhoto(id, photo) : decodePicture(id, mine?.title ?? "", mine?.blob ?? new Blob());
   loading.catch(() => pictures.delete(id));
   pictures.set(id, loading);
   return loading;
@@ -57,19 +73,21 @@ export function standIn(id) {
   return { id, title, ...drawnCanvas(size, (context) => drawLattice(context, size)), frame: photoFrame(...size) };
 }
 
-let ownCount = 0;
-
 /** A visitor's file, under an id of its own. @param {Blob} file @returns {Promise<Picture>} */
 export async function addPicture(file) {
   const name = file instanceof File ? file.name : "Pasted picture";
   if (/hei[cf]$/i.test(file.type) || /\.hei[cf]$/i.test(name)) {
     throw new Error(`“${name}” is an HEIC photo, which this browser cannot read. Save it as JPEG or PNG first.`);
   }
-  const id = `own-${++ownCount}`;
+  // Nobody else's photo has this id: a link to it that comes from elsewhere is told from one's own.
+  const id = `own-${crypto.getRandomValues(new Uint32Array(2)).join("")}`;
   const picture = await decodePicture(id, name, file).catch(() => {
     throw new Error(`“${name}” could not be read as a picture. Try a JPEG, PNG, WebP or SVG file.`);
   });
   pictures.set(id, Promise.resolve(picture));
+  own.set(id, { id, title: name, blob: file });
+  await keepPhoto({ id, title: name, blob: file });
+  window.dispatchEvent(new Event("own-pictures"));
   return picture;
 }
 

@@ -1,6 +1,7 @@
 // The page of the visual cortex: a photo that is looked at, and what both hemispheres receive of it by two maps.
 
 import { wrongWords } from "../common/address.js";
+import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
 import { toPlane } from "../common/frame.js";
 import { History } from "../common/history.js";
@@ -211,6 +212,7 @@ function connect() {
     () => store.redo(),
   );
   store.subscribe(onChange);
+  goAlong(() => (store.value.image === USUAL.image ? /** @type {Record<string, string>} */ ({}) : { image: store.value.image }));
   window.addEventListener("hashchange", visit);
   new ResizeObserver(() => refresh(false)).observe(element("panels"));
 }

@@ -1,6 +1,7 @@
 // The page: connects the state, the two panels, the solver and the controls.
 
 import { readAddress, wrongWords } from "../common/address.js";
+import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
 import { flatten } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
@@ -15,7 +16,7 @@ import { PhotoView } from "../editor/photo-view.js";
 import { defaultRegion, photoRegion, shapeRegion } from "../editor/presets.js";
 import { makeRegion, towardPoint } from "../editor/region.js";
 import { Store } from "../editor/store.js";
-import { drawingSchema, encodeDrawing, shownSchema } from "../editor/url.js";
+import { drawingFields, drawingSchema, encodeDrawing, shownSchema } from "../editor/url.js";
 import { Controls } from "./controls.js";
 import { DiskView } from "./disk-view.js";
 import { Outcome } from "./outcome.js";
@@ -77,6 +78,7 @@ async function start() {
   store.shown = shown;
   store.subscribe(onChange);
   acceptFiles(element("file"), element("photo-stage"), (file) => openPicture(addPicture(file)));
+  goAlong(() => drawingFields(store.doc, { image: FIRST_PHOTO, region: photoRegion(FIRST_PHOTO) }));
   window.addEventListener("hashchange", visit);
   new ResizeObserver(onResize).observe(element("panels"));
   refresh(true, false);

@@ -29,12 +29,16 @@ const short = (x) => String(Number(x.toFixed(4)));
 const write = (points) => points.map((p) => p.map(short).join(",")).join(";");
 
 /** @param {import("./store.js").Document} doc @param {string} [prefix] of the fields' names @returns {string} the hash, without # */
-export function encodeDrawing({ image, region }, prefix = "") {
-  const fields = [
-    ["image", image],
-    ["region", write(region.boundary)],
-    ["center", write([region.center])],
-    ["toward", write([towardPoint(region)])],
-  ];
-  return fields.map(([key, value]) => `${prefix}${key}=${value}`).join("&");
+export function encodeDrawing(doc, prefix = "") {
+  return Object.entries(fieldsOf(doc)).map(([key, value]) => `${prefix}${key}=${value}`).join("&");
+}
+
+/** The fields of a drawing that is not the first one any more. @param {import("./store.js").Document} doc @param {import("./store.js").Document} first @returns {Record<string, string>} */
+export function drawingFields(doc, first) {
+  return encodeDrawing(doc) === encodeDrawing(first) ? {} : fieldsOf(doc);
+}
+
+/** @param {import("./store.js").Document} doc @returns {Record<string, string>} */
+function fieldsOf({ image, region }) {
+  return { image, region: write(region.boundary), center: write([region.center]), toward: write([towardPoint(region)]) };
 }

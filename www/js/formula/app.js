@@ -2,6 +2,7 @@
 
 import init, { presets as allPresets } from "../../pkg/index.js";
 import { wrongWords } from "../common/address.js";
+import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
 import { addPicture } from "../common/images.js";
 import { attempt, element, remark, saveCanvas, statusOfPage, watchErrors, wordsOf } from "../common/page.js";
@@ -140,6 +141,7 @@ function connectControls() {
   element("home").onclick = () => change({ view: { center: [0, 0], width: HOME } });
   element("save").onclick = () => saveCanvas(element("target"), "formula.png");
   element("stop").onclick = () => scheduler.stop();
+  goAlong(() => (state.image === usual.image || state.image === "lattice" ? /** @type {Record<string, string>} */ ({}) : { image: state.image }));
   window.addEventListener("hashchange", () => visit(state));
   new ResizeObserver(() => picture && show(false)).observe(element("panels"));
 }

@@ -1,6 +1,7 @@
 // The page that maps one region to another: two sides, one scheduler, the picture of the first in the second.
 
 import { readAddress, someOf, wrongWords } from "../common/address.js";
+import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
 import { newStep, redoNext, undoLast } from "../common/history.js";
 import { onUndoKeys } from "../common/keys.js";
@@ -10,7 +11,7 @@ import { Scheduler } from "../common/scheduler.js";
 import { documentOf } from "../editor/document.js";
 import { failureWords, pairRows, probeWords } from "../editor/evidence.js";
 import { frameOf } from "../editor/presets.js";
-import { drawingSchema, encodeDrawing } from "../editor/url.js";
+import { drawingFields, drawingSchema, encodeDrawing } from "../editor/url.js";
 import { firstFrom, firstTo } from "./first.js";
 import { Outcome } from "./outcome.js";
 import { Side } from "./side.js";
@@ -165,6 +166,7 @@ function connectControls() {
     element(`${name}-redo`).onclick = () => redoNext(sharing(side, "nextStep"));
   }
   acceptFiles(file, element("panels"), (chosen) => active.openFile(chosen));
+  goAlong(() => drawingFields(from.store.doc, firstFrom));
   window.addEventListener("hashchange", visit);
   onUndoKeys(
     () => undoLast(stores),

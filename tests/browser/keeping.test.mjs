@@ -1,0 +1,63 @@
+// Work is kept: own photos over reloads and between pages until they are forgotten, regions along the links, a link to copy.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { chosenPhoto, drag, handle, middle, openPage, openQuarters, screenshot, settled, startBrowser } from "./support/page.mjs";
+
+/** @type {Awaited<ReturnType<typeof startBrowser>>} */
+let session;
+before(async () => {
+  session = await startBrowser();
+});
+after(() => session.close());
+
+test("a visitor's own photo outlives a reload, goes to the other pages, and can be forgotten", async () => {
+  const { page, errors, close } = await openPage(session);
+  assert.ok(await page.locator("#own-photos").isHidden());
+  await openQuarters(page);
+  await page.reload();
+  await chosenPhoto(page, "quarters.png");
+  for (const name of ["Formula", "Visual cortex", "Region to region"]) {
+    await page.locator("nav a", { hasText: name }).click();
+    const menu = name === "Region to region" ? "#from-choose-photo" : "#choose-photo";
+    await page.waitForFunction((id) => document.querySelector(`${id} option:checked`)?.textContent === "quarters.png", menu);
+  }
+  await settled(page, "ready");
+  await page.locator("#forget").scrollIntoViewIfNeeded();
+  await screenshot(page, "own-photos");
+  await page.locator("#forget").click();
+  await page.locator("#own-photos").waitFor({ state: "hidden" });
+  await page.goto(session.url);
+  await settled(page, "ready");
+  assert.ok(!(await page.locator("#choose-photo option").allInnerTexts()).includes("quarters.png"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("the region goes along to another page and comes back as it was left there", async () => {
+  const { page, errors, close } = await openPage(session);
+  const at = await middle(handle(page, "vertex", 0));
+  await drag(page, at, { x: at.x - 40, y: at.y - 20 });
+  await settled(page, "ready");
+  const region = await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("region"));
+  await page.locator("nav a", { hasText: "Region to region" }).click();
+  await settled(page, "ready");
+  assert.equal(await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("a.region")), region);
+  await page.locator("nav a", { hasText: "Formula" }).click();
+  await settled(page, "ready");
+  await page.locator("nav a", { hasText: "Region to disk" }).click();
+  await settled(page, "ready");
+  assert.equal(await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("region")), region);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("Copy link copies the address of what is seen", async () => {
+  const { page, errors, close } = await openPage(session, "#shape=star", { permissions: ["clipboard-read", "clipboard-write"] });
+  await page.locator("#copy-link").click();
+  await page.waitForFunction(() => document.getElementById("copy-link")?.getAttribute("aria-label") === "Link copied");
+  assert.equal(await page.evaluate(() => navigator.clipboard.readText()), page.url());
+  await screenshot(page, "copy-link");
+  assert.deepEqual(errors, []);
+  await close();
+});
