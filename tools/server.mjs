@@ -28,17 +28,22 @@ const types = {
   ".webp": "image/webp",
 };
 
+/** What a page may load: its own files, pictures that it makes or is given, WebAssembly; no code from text, nothing from elsewhere. */
+export const contentPolicy =
+  "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; object-src 'none'; base-uri 'none'; form-action 'none'";
+
 /**
  * Serves the files of `folder` on 127.0.0.1. A used port moves on to the next one; port 0 takes any free one.
  *
  * @param {string} folder
  * @param {number} [port]
+ * @param {string} [policy] what its pages may load; anything if empty
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
  */
-export async function serve(folder, port = 0) {
+export async function serve(folder, port = 0, policy = "") {
   const base = await realpath(folder);
   const server = createServer((request, response) => {
-    answer(base, request, response).catch(() => {
+    answer(base, policy, request, response).catch(() => {
       if (!response.headersSent) response.writeHead(500);
       response.end();
     });
@@ -80,10 +85,11 @@ async function listen(server, first) {
 
 /**
  * @param {string} base
+ * @param {string} policy
  * @param {import("node:http").IncomingMessage} request
  * @param {import("node:http").ServerResponse} response
  */
-async function answer(base, request, response) {
+async function answer(base, policy, request, response) {
   const refuse = (/** @type {number} */ status) => {
     response.writeHead(status, { "Content-Type": "text/plain; charset=utf-8" });
     response.end(`${status}\n`);
@@ -91,14 +97,34 @@ async function answer(base, request, response) {
   if (request.method !== "GET" && request.method !== "HEAD") return refuse(405);
   const file = await fileOf(base, request.url ?? "/");
   if (!file) return refuse(404);
+  const validators = { ETag: `"${file.size.toString(36)}-${file.changed.getTime().toString(36)}"`, "Last-Modified": file.changed.toUTCString(), "Cache-Control": "no-cache" };
+  if (isFresh(request.headers, validators, file.changed)) {
+    response.writeHead(304, validators);
+    return response.end();
+  }
   response.writeHead(200, {
+    ...validators,
     "Content-Type": types[extname(file.path).toLowerCase()] ?? "application/octet-stream",
     "Content-Length": file.size,
-    "Cache-Control": "no-cache",
+    ...(policy && { "Content-Security-Policy": `${policy}; frame-ancestors 'self'` }),
     "X-Content-Type-Options": "nosniff",
   });
   if (request.method === "HEAD") return response.end();
   createReadStream(file.path).on("error", () => response.destroy()).pipe(response);
+}
+
+/**
+ * Whether the browser has the file as it is.
+ *
+ * @param {import("node:http").IncomingHttpHeaders} asked
+ * @param {{ ETag: string }} validators
+ * @param {Date} changed
+ */
+function isFresh(asked, { ETag }, changed) {
+  const known = asked["if-none-match"];
+  if (known !== undefined) return known.split(",").some((tag) => tag.trim().replace(/^W\//, "") === ETag);
+  const since = Date.parse(asked["if-modified-since"] ?? "");
+  return Math.floor(changed.getTime() / 1000) * 1000 <= since;
 }
 
 /**
@@ -114,8 +140,8 @@ async function fileOf(base, url) {
     let file = await realpath(join(base, path));
     if ((await stat(file)).isDirectory()) file = await realpath(join(file, "index.html"));
     if (!file.startsWith(base + sep)) return undefined;
-    const { size } = await stat(file);
-    return { path: file, size };
+    const { size, mtime } = await stat(file);
+    return { path: file, size, changed: mtime };
   } catch {
     return undefined;
   }

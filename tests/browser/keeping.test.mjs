@@ -61,3 +61,24 @@ test("Copy link copies the address of what is seen", async () => {
   assert.deepEqual(errors, []);
   await close();
 });
+
+for (const name of ["", "regions.html", "formula.html", "cortex.html"]) {
+  test(`${name || "index.html"}: code from text and from elsewhere is refused, and the page needs none`, async () => {
+    const { page, errors, close } = await openPage(session, name);
+    assert.deepEqual(errors, []);
+    const refused = await page.evaluate(async () => {
+      /** @type {Set<string>} */
+      const directives = new Set();
+      document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => directives.add(effectiveDirective));
+      const inline = document.createElement("script");
+      inline.textContent = "window.ran = true";
+      document.body.append(inline);
+      await fetch("https://example.com/").catch(() => {});
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      return { directives: [...directives].sort(), ran: "ran" in window };
+    });
+    assert.deepEqual(refused.directives, ["connect-src", "script-src-elem"]);
+    assert.equal(refused.ran, false);
+    await close();
+  });
+}

@@ -1,12 +1,13 @@
 // The static server of npm start: right types, nothing outside its folder, the next port when one is used.
 
 import assert from "node:assert/strict";
-import { mkdir, mkdtemp, rm, symlink, writeFile } from "node:fs/promises";
+import { mkdir, mkdtemp, readdir, readFile, rm, symlink, writeFile } from "node:fs/promises";
 import { request } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { serve } from "../../tools/server.mjs";
+import { contentPolicy, serve } from "../../tools/server.mjs";
+import { root } from "../../tools/steps.mjs";
 
 /** @type {string} */
 let folder;
@@ -22,7 +23,7 @@ before(async () => {
   await writeFile(join(folder, "www", "code.wasm"), "\0asm");
   await writeFile(join(folder, "www", "a b", "ü.txt"), "umlaut");
   await symlink(join(folder, "secret.txt"), join(folder, "www", "link.txt"));
-  server = await serve(join(folder, "www"));
+  server = await serve(join(folder, "www"), 0, contentPolicy);
 });
 
 after(async () => {
@@ -69,4 +70,24 @@ test("a used port moves on to the next", async () => {
   const next = await serve(join(folder, "www"), Number(port));
   assert.ok(Number(new URL(next.url).port) > Number(port));
   await next.close();
+});
+
+test("a file that the browser has is not sent again; one that has changed is", async () => {
+  const first = await fetch(`${server.url}code.js`);
+  const tag = first.headers.get("ETag") ?? "";
+  assert.match(tag, /^".+"$/);
+  const ask = (/** @type {Record<string, string>} */ headers) => fetch(`${server.url}code.js`, { headers, cache: "no-store" }).then(({ status }) => status);
+  assert.equal(await ask({ "If-None-Match": tag }), 304);
+  assert.equal(await ask({ "If-Modified-Since": first.headers.get("Last-Modified") ?? "" }), 304);
+  await writeFile(join(folder, "www", "code.js"), "22");
+  assert.equal(await ask({ "If-None-Match": tag }), 200);
+});
+
+test("the server and every page say the same about what may be loaded", async () => {
+  const policy = (await fetch(server.url)).headers.get("Content-Security-Policy") ?? "";
+  assert.ok(policy.startsWith(contentPolicy));
+  const www = join(root, "www");
+  const pages = (await readdir(www)).filter((name) => name.endsWith(".html"));
+  assert.ok(pages.length >= 4);
+  for (const page of pages) assert.ok((await readFile(join(www, page), "utf8")).includes(`<meta http-equiv="Content-Security-Policy" content="${contentPolicy}">`), page);
 });

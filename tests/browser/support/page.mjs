@@ -3,7 +3,7 @@
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { launchChromium } from "../../../tools/chromium.mjs";
-import { serve } from "../../../tools/server.mjs";
+import { contentPolicy, serve } from "../../../tools/server.mjs";
 import { root } from "../../../tools/steps.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -13,7 +13,7 @@ const screenshots = join(root, "tests", "screenshots");
 /** A server for www/ and a browser; `close` ends both. */
 export async function startBrowser() {
   mkdirSync(screenshots, { recursive: true });
-  const server = await serve(join(root, "www"));
+  const server = await serve(join(root, "www"), 0, contentPolicy);
   const browser = await launchChromium();
   return {
     url: server.url,
