@@ -162,7 +162,7 @@ impl<'a> Layer<'a> {
         let shift = [0, 1].map(|k| (p[k] - scale[k] * a[k]) as f32);
         Ok(Self {
             texture,
-            draw: sampler::kernel(texture, prepared.quality())?,
+            draw: sampler::kernel(texture, prepared.is_framed(), prepared.quality())?,
             scale: scale.map(|s| s as f32),
             shift,
             level: (grid.density() / wide.density()).log2() as f32,

@@ -16,11 +16,12 @@ pub enum Direction {
     /// The view's point p shows the texture at f(p).
     #[default]
     PullBack,
-    /// The view's point f(z) shows the texture at z, wherever the map takes it from: beyond its frame the texture goes on
-    /// as its [`Wrap`] mode says.
+    /// The points z of the texture's frame, once, each shown at f(z). What lies beyond the frame is not drawn, whatever the
+    /// texture's [`Wrap`] mode, which speaks of pull-back.
     ///
     /// A map that knows its inverse ([`PlaneMap::inverse_map`](crate::PlaneMap::inverse_map)), as every invertible one does,
-    /// is pulled back by that. Of any other, a formula say, the image of the frame alone is drawn; where sheets of it
+    /// is pulled back by that, from a texture with nothing around it. Of any other, a formula say, the image of the frame is
+    /// drawn in triangles, at whose edge the wrap mode says only how the outermost texels are filtered; where sheets
     /// overlap, the lowest point of the texture is seen.
     PushForward,
 }
@@ -42,7 +43,7 @@ pub enum Quality {
     Best,
 }
 
-/// What lies beyond the edges of a texture.
+/// What lies beyond the edges of a texture that is pulled back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(
     target_arch = "wasm32",

@@ -31,6 +31,8 @@ pub struct PreparedWarp {
     quality: Quality,
     /// The textures that it is good for.
     texture: ([usize; 2], Wrap),
+    /// Whether these end at their frames, whatever their wrap mode.
+    framed: bool,
     spans: Vec<Span>,
     footprints: Footprints,
     /// Pixels of which only a share shows something.
@@ -70,11 +72,16 @@ struct Reach([[f32; 2]; 2]);
 
 impl Reach {
     /// Where a texture shows something.
-    fn of(texture: &Texture) -> Self {
+    fn of(texture: &Texture, framed: bool) -> Self {
         match texture.wrap() {
-            Wrap::Transparent => Self([[0.0; 2], texture.size().map(|n| n as f32)]),
+            _ if framed => Self::of_frame(texture),
+            Wrap::Transparent => Self::of_frame(texture),
             Wrap::Clamp | Wrap::Repeat | Wrap::Mirror => Self([[f32::NEG_INFINITY; 2], [f32::INFINITY; 2]]),
         }
+    }
+
+    fn of_frame(texture: &Texture) -> Self {
+        Self([[0.0; 2], texture.size().map(|n| n as f32)])
     }
 
     /// Whether the pixel's footprint reaches in: a sampler reads half a texel of the coarser level around it, a texel at most.
@@ -90,14 +97,16 @@ impl PreparedWarp {
     /// Keeps the footprints of strips, which are those of textures like this one.
     pub(super) fn record(
         texture: &Texture,
+        framed: bool,
         options: &WarpOptions,
         strips: impl FnOnce(&mut dyn FnMut(&Strip)) -> Result<()>,
     ) -> Result<Self> {
-        let (first_row, reach) = (options.checked_rows()?.start, Reach::of(texture));
+        let (first_row, reach) = (options.checked_rows()?.start, Reach::of(texture, framed));
         let mut prepared = Self {
             size: options.output_size()?,
             quality: options.quality,
             texture: (texture.size(), texture.wrap()),
+            framed,
             spans: Vec::new(),
             footprints: Footprints::default(),
             shares: Vec::new(),
@@ -153,7 +162,7 @@ impl PreparedWarp {
     /// As [`PreparedWarp::warp`], and [`Error::WrongLength`] if `out` does not fit.
     pub fn warp_into(&self, texture: &Texture, out: &mut [u8]) -> Result<()> {
         self.check(texture)?;
-        let draw = sampler::kernel(texture, self.quality)?;
+        let draw = sampler::kernel(texture, self.framed, self.quality)?;
         self.fill(out, |row, line| draw(texture, row, line))
     }
 
@@ -184,6 +193,10 @@ impl PreparedWarp {
 
     pub(super) fn quality(&self) -> Quality {
         self.quality
+    }
+
+    pub(super) fn is_framed(&self) -> bool {
+        self.framed
     }
 }
 

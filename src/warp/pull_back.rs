@@ -13,21 +13,22 @@ use crate::map::PlaneMap;
 // A strip is a row of blocks.
 const _: () = assert!(strip::ROWS == LARGEST);
 
-/// The footprints of the pull-back of the texture by the map.
+/// The footprints of the pull-back of the texture by the map, as if its wrap mode were `wrap`.
 pub(super) fn pull_back<M: PlaneMap + ?Sized>(
     map: &M,
     texture: &Texture,
+    wrap: Wrap,
     options: &WarpOptions,
     each: &mut dyn FnMut(&Strip),
 ) -> Result<()> {
     let scale = Scale::new(TexelGrid::new(options.texture, texture), &options.view);
     let sight = Sight { map, view: options.view, scale };
-    each_strip(options, &mut PullBack { sight, period: period(texture) }, each)
+    each_strip(options, &mut PullBack { sight, period: period(texture, wrap) }, each)
 }
 
-/// After how many texels the texture comes back; infinite if it does not.
-fn period(texture: &Texture) -> Pair {
-    let factor = match texture.wrap() {
+/// After how many texels a texture of this wrap mode comes back; infinite if it does not.
+fn period(texture: &Texture, wrap: Wrap) -> Pair {
+    let factor = match wrap {
         Wrap::Transparent | Wrap::Clamp => f64::INFINITY,
         Wrap::Repeat => 1.0,
         Wrap::Mirror => 2.0,

@@ -47,8 +47,8 @@ pub fn recover<M: InvertibleMap>(map: &M, image: &Frame, texture: &Texture, opti
     let reached = kept(&Texture::new(&[255; 4], 1, 1, Wrap::Clamp, Light::Plain)?)?;
     let back = WarpOptions { texture: *image, direction: Direction::PullBack, ..options.clone() };
     let prepared = Inverse(map).prepare(&image_kept, &back)?;
-    let draw = sampler::kernel(&image_kept, options.quality)?;
-    let measure = sampler::kernel(&reached, options.quality)?;
+    let draw = sampler::kernel(&image_kept, false, options.quality)?;
+    let measure = sampler::kernel(&reached, false, options.quality)?;
     let (mut out, mut shares) = (buffer::blank(options.output_size()?)?, Vec::new());
     prepared.fill(&mut out, |row, line| {
         shares.resize(line.len(), 0);

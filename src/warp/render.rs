@@ -33,16 +33,17 @@ pub(super) fn each_strip(
     Ok(())
 }
 
-/// Draws the rows of the view that the options name into `out`, from strips.
+/// Draws the rows of the view that the options name into `out`, from strips; of the texture, if `framed`, only its frame.
 pub(super) fn render(
     texture: &Texture,
+    framed: bool,
     options: &WarpOptions,
     out: &mut [u8],
     strips: impl FnOnce(&mut dyn FnMut(&Strip)) -> Result<()>,
 ) -> Result<()> {
     buffer::check("The output", out.len(), options.output_size()?)?;
     let (first, line) = (options.checked_rows()?.start, 4 * options.view.pixels()[0]);
-    let draw = sampler::kernel(texture, options.quality)?;
+    let draw = sampler::kernel(texture, framed, options.quality)?;
     strips(&mut |strip| {
         let band = &mut out[line * (strip.first_row - first)..][..line * strip.rows];
         sampler::sample(draw, texture, strip, band);

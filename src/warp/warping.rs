@@ -18,6 +18,13 @@ pub trait Warp {
     #[doc(hidden)]
     fn footprints(&self, texture: &Texture, options: &WarpOptions, each: &mut dyn FnMut(&Strip)) -> Result<()>;
 
+    /// Whether the texture ends at its frame, whatever its wrap mode. (Else the footprints end where the texture does.)
+    #[doc(hidden)]
+    fn is_framed(&self, options: &WarpOptions) -> bool {
+        let _ = options;
+        false
+    }
+
     /// Draws `texture` as the map shows it into `out`: RGBA bytes with straight alpha, 4 · columns · rows of them for
     /// the rows of the view that the options name. Every byte of `out` is written.
     ///
@@ -25,7 +32,7 @@ pub trait Warp {
     /// [`Error::WrongLength`](crate::Error::WrongLength) if `out` does not fit,
     /// [`Error::InvalidRows`](crate::Error::InvalidRows), and those of the map.
     fn warp_into(&self, texture: &Texture, options: &WarpOptions, out: &mut [u8]) -> Result<()> {
-        render(texture, options, out, |each| self.footprints(texture, options, each))
+        render(texture, self.is_framed(options), options, out, |each| self.footprints(texture, options, each))
     }
 
     /// What [`Warp::warp_into`] finds out before it looks at a texel: for pictures that change under a map and a view that
@@ -34,7 +41,7 @@ pub trait Warp {
     /// # Errors
     /// [`Error::InvalidRows`](crate::Error::InvalidRows), and those of the map.
     fn prepare(&self, texture: &Texture, options: &WarpOptions) -> Result<PreparedWarp> {
-        PreparedWarp::record(texture, options, |each| self.footprints(texture, options, each))
+        PreparedWarp::record(texture, self.is_framed(options), options, |each| self.footprints(texture, options, each))
     }
 
     /// [`Warp::warp_into`], into a new vector.

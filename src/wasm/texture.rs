@@ -23,7 +23,7 @@ export interface Pixels {
 #[derive(Debug, Default, Deserialize, Tsify)]
 #[serde(default)]
 pub struct TextureOptions {
-    /// What lies beyond the edges; "transparent" by default.
+    /// What lies beyond the edges where the texture is pulled back; "transparent" by default.
     #[tsify(optional)]
     pub wrap: Wrap,
     /// "linear" (the default) averages the light itself, decoded from sRGB; "plain" the bytes as they are.

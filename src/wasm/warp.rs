@@ -20,8 +20,8 @@ pub struct DrawOptions {
     pub texture: FrameOptions,
     /// Which part of the plane is drawn, and on how many pixels.
     pub view: FrameOptions,
-    /// "pull-back": the view's point p shows the texture at f(p). "push-forward": its point f(z) shows the texture at
-    /// z. By default a formula pulls back, and what has a domain of its own (a region's map, a mesh, the cortex) pushes
+    /// "pull-back": the view's point p shows the texture at f(p). "push-forward": the points z of the texture's frame are
+    /// shown, once, each at f(z); what lies beyond the frame is not drawn, whatever the texture's wrap mode. By default a formula pulls back, and what has a domain of its own (a region's map, a mesh, the cortex) pushes
     /// forward.
     #[tsify(optional)]
     pub direction: Option<Direction>,

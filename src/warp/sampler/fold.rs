@@ -6,6 +6,9 @@ use core::arch::wasm32::{f32x4_add, f32x4_floor, f32x4_mul, f32x4_pmax, f32x4_pm
 /// A wrap mode as a fold of the texture's axis: any coordinate → one that lies in 0..=`size`, or beyond the edge
 /// where there is nothing.
 pub(super) trait Fold {
+    /// Whether the texture ends at its edge, whatever lies in the border of its levels.
+    const FRAMED: bool = false;
+
     fn fold(t: f32, size: f32) -> f32;
 
     /// Four at once; `reciprocal` = 1 / `size`.
@@ -14,11 +17,26 @@ pub(super) trait Fold {
 }
 
 pub(super) struct Unchanged;
+pub(super) struct Framed;
 pub(super) struct Clamped;
 pub(super) struct Repeated;
 pub(super) struct Mirrored;
 
 impl Fold for Unchanged {
+    fn fold(t: f32, _: f32) -> f32 {
+        t
+    }
+
+    #[cfg(target_feature = "simd128")]
+    #[inline(always)]
+    fn fold4(t: v128, _: v128, _: v128) -> v128 {
+        t
+    }
+}
+
+impl Fold for Framed {
+    const FRAMED: bool = true;
+
     fn fold(t: f32, _: f32) -> f32 {
         t
     }

@@ -15,7 +15,7 @@ use super::strip::Strip;
 use super::texel::{ByteTexel, LightTexel};
 use super::texture::Texture;
 use crate::Result;
-use fold::{Clamped, Fold, Mirrored, Repeated, Unchanged};
+use fold::{Clamped, Fold, Framed, Mirrored, Repeated, Unchanged};
 
 pub(super) use input::{Kernel, Row};
 
@@ -33,23 +33,25 @@ pub(super) fn sample(draw: Kernel, texture: &Texture, strip: &Strip, out: &mut [
     }
 }
 
-/// What draws rows of such a texture.
+/// What draws rows of such a texture; of what lies in its frame, if `framed`.
 ///
 /// # Errors
 /// [`crate::Error::OutOfMemory`] if there is no memory for the texture's light, which the best quality samples.
-pub(super) fn kernel(texture: &Texture, quality: Quality) -> Result<Kernel> {
+pub(super) fn kernel(texture: &Texture, framed: bool, quality: Quality) -> Result<Kernel> {
     Ok(match (quality, texture.light()) {
         (Quality::Best, Light::Linear) => {
             texture.make_light()?;
-            kernel_of::<LightTexel>(texture.wrap(), quality)
+            kernel_of::<LightTexel>(texture.wrap(), framed, quality)
         }
-        _ => kernel_of::<ByteTexel>(texture.wrap(), quality),
+        _ => kernel_of::<ByteTexel>(texture.wrap(), framed, quality),
     })
 }
 
-fn kernel_of<T: Texel>(wrap: Wrap, quality: Quality) -> Kernel {
+fn kernel_of<T: Texel>(wrap: Wrap, framed: bool, quality: Quality) -> Kernel {
     match wrap {
+        // Its border shows nothing as it is.
         Wrap::Transparent => folded::<Unchanged, T>(quality),
+        _ if framed => folded::<Framed, T>(quality),
         Wrap::Clamp => folded::<Clamped, T>(quality),
         Wrap::Repeat => folded::<Repeated, T>(quality),
         Wrap::Mirror => folded::<Mirrored, T>(quality),

@@ -64,7 +64,11 @@ pub(super) fn nearest<W: Fold>(texture: &Texture, row: Row<'_>, line: &mut [u8])
             let size = size as f32;
             (W::fold(t, size).floor().clamp(-1.0, size) as i32 + 1) as usize
         };
-        pyramid.texels[level.offset + cell(v, level.height) * level.stride + cell(u, level.width)].channels()
+        let (column, row) = (cell(u, level.width), cell(v, level.height));
+        if W::FRAMED && (is_border(column, level.width) || is_border(row, level.height)) {
+            return [0.0; 4];
+        }
+        pyramid.texels[level.offset + row * level.stride + column].channels()
     });
 }
 
@@ -74,7 +78,7 @@ pub(super) fn bilinear<W: Fold, T: Texel>(texture: &Texture, row: Row<'_>, line:
     each_pixel(pyramid, row, line, |u, v, _| {
         let (u, v) = (W::fold(u, base.width as f32), W::fold(v, base.height as f32));
         let mut sum = [0.0; 4];
-        add_bilinear(&mut sum, pyramid.texels, base, u, v, 1.0);
+        add_bilinear::<W, T>(&mut sum, pyramid.texels, base, u, v, 1.0);
         sum
     });
 }
@@ -121,23 +125,35 @@ fn add_trilinear<W: Fold, T: Texel>(sum: &mut Sum, pyramid: &Pyramid<'_, T>, u: 
     let (u, v) = (W::fold(u, levels[0].width as f32), W::fold(v, levels[0].height as f32));
     let level = level.max(0.0).min((levels.len() - 1) as f32);
     let (lower, share) = (level as usize, level.fract());
-    add_bilinear(sum, pyramid.texels, &levels[lower], u, v, weight * (1.0 - share));
+    add_bilinear::<W, T>(sum, pyramid.texels, &levels[lower], u, v, weight * (1.0 - share));
     if share > 0.0 {
-        add_bilinear(sum, pyramid.texels, &levels[lower + 1], u, v, weight * share);
+        add_bilinear::<W, T>(sum, pyramid.texels, &levels[lower + 1], u, v, weight * share);
     }
 }
 
 /// Adds `weight` times the level at (u, v), which are texels of level 0.
-fn add_bilinear<T: Texel>(sum: &mut Sum, texels: &[T], level: &Level, u: f32, v: f32, weight: f32) {
+fn add_bilinear<W: Fold, T: Texel>(sum: &mut Sum, texels: &[T], level: &Level, u: f32, v: f32, weight: f32) {
     let (column, x) = cell(u * level.scale[0], level.width);
     let (row, y) = cell(v * level.scale[1], level.height);
     let start = level.offset + row * level.stride + column;
-    let weights = [(1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y];
+    let (x, y) = (shares::<W>(column, x, level.width), shares::<W>(row, y, level.height));
+    let weights = [x[0] * y[0], x[1] * y[0], x[0] * y[1], x[1] * y[1]];
     for (tap, share) in [0, 1, level.stride, level.stride + 1].into_iter().zip(weights) {
         for (channel, value) in sum.iter_mut().zip(texels[start + tap].channels()) {
             *channel += weight * share * value;
         }
     }
+}
+
+/// The weights of the texel `before` a point and of the next one, which lies the share `t` nearer than that.
+fn shares<W: Fold>(before: usize, t: f32, size: usize) -> [f32; 2] {
+    let weight = |at: usize, share: f32| if W::FRAMED && is_border(at, size) { 0.0 } else { share };
+    [weight(before, 1.0 - t), weight(before + 1, t)]
+}
+
+/// Whether a texel of a level (the border's included) is the border's.
+fn is_border(at: usize, size: usize) -> bool {
+    at == 0 || at > size
 }
 
 /// The texel (the border's included) before the point `t`, and the share of the next one.

@@ -95,6 +95,7 @@ fn simd_and_scalar_kernels_are_at_most_one_level_apart() {
                 built.unwrap_or_else(|error| panic!("{error}"))
             };
             compare::<Unchanged>(&texture(Wrap::Transparent), &mut random);
+            compare::<Framed>(&texture(Wrap::Repeat), &mut random);
             compare::<Clamped>(&texture(Wrap::Clamp), &mut random);
             compare::<Repeated>(&texture(Wrap::Repeat), &mut random);
             compare::<Mirrored>(&texture(Wrap::Mirror), &mut random);

@@ -3,9 +3,9 @@
 use crate::support::golden;
 use crate::support::picture::{Picture, Truth, psnr};
 use conformal_warp::{
-    Complex64, Compose, CorticalModel, Curve, Degrees, Direction, Frame, Gaze, HalfDiskMap, Hemisphere, Inverse,
-    InvertibleMap, Jet, Landmark, Light, Mirrored, Moebius, PlaneMap, Quality, Region, RegionMap, RetinoCorticalMap,
-    RiemannMap, SolveOptions, Texture, VisualCortex, Warp, WarpOptions, Wrap,
+    Complex64, Compose, CorticalModel, Curve, Degrees, Direction, FormulaMap, FoveatedTexture, Frame, Gaze,
+    HalfDiskMap, Hemisphere, Inverse, InvertibleMap, Jet, Landmark, Light, Mirrored, Moebius, PlaneMap, Quality,
+    Region, RegionMap, RetinoCorticalMap, RiemannMap, SolveOptions, Texture, VisualCortex, Warp, WarpOptions, Wrap,
 };
 use std::f64::consts::PI;
 
@@ -213,22 +213,28 @@ fn check_push(
     }
 }
 
-/// Every invertible map says that it is one, and pushes a picture as its inverse pulls it back.
+/// Every invertible map says that it is one, and pushes a picture, once, as its inverse pulls it back: whatever the wrap mode.
 #[test]
 fn every_invertible_map_pushes_by_its_inverse() {
     fn check(what: &str, map: &impl InvertibleMap, shown: Frame, view: Frame) {
         let picture = gradient();
         for wrap in [Wrap::Transparent, Wrap::Clamp, Wrap::Repeat, Wrap::Mirror] {
-            let texture = texture(&picture, wrap);
-            let push = options(shown, view, Direction::PushForward, Quality::Trilinear);
-            let pull = WarpOptions { direction: Direction::PullBack, ..push.clone() };
-            let expected = Inverse(map).warp(&texture, &pull).unwrap();
-            assert!(expected.iter().any(|&byte| byte > 0), "{what}: nothing is seen");
-            assert!(map.warp(&texture, &push).unwrap() == expected, "{what}, {wrap:?}");
-            assert!(
-                Inverse(Inverse(map)).warp(&texture, &push).unwrap() == expected,
-                "{what} inverted twice, {wrap:?}"
-            );
+            let (wrapped, once) = (texture(&picture, wrap), texture(&picture, Wrap::Transparent));
+            for quality in [Quality::Nearest, Quality::Bilinear, Quality::Trilinear, Quality::Best] {
+                let push = options(shown, view, Direction::PushForward, quality);
+                let pull = WarpOptions { direction: Direction::PullBack, ..push.clone() };
+                let expected = Inverse(map).warp(&once, &pull).unwrap();
+                assert!(expected.iter().any(|&byte| byte > 0), "{what}: nothing is seen");
+                let what = format!("{what}, {wrap:?}, {quality:?}");
+                assert!(map.warp(&wrapped, &push).unwrap() == expected, "{what}");
+                assert!(Inverse(Inverse(map)).warp(&wrapped, &push).unwrap() == expected, "{what}, inverted twice");
+                let prepared = map.prepare(&wrapped, &push).unwrap();
+                assert!(prepared.warp(&wrapped).unwrap() == expected, "{what}, prepared");
+                let mut stacked = vec![7; expected.len()];
+                let stack = FoveatedTexture::new(vec![(wrapped.clone(), shown)]).unwrap();
+                stack.warp_into(map, &push, &mut stacked).unwrap();
+                assert!(stacked == expected, "{what}, stacked");
+            }
         }
     }
     let c = Complex64::new;
@@ -257,6 +263,28 @@ fn every_invertible_map_pushes_by_its_inverse() {
     check("RegionMap", &RegionMap::between(&first, &second), unit, wide);
     let landmark = Landmark { field: c(0.3, 0.1), cortex: Complex64::ZERO, direction: 0.2 };
     check("RetinoCorticalMap", &RetinoCorticalMap::new(first, landmark).unwrap(), unit, wide);
+}
+
+/// A map is pushed forward alike, whether it knows its inverse or not.
+#[test]
+fn push_forward_ends_at_the_frame_with_and_without_an_inverse() {
+    let c = Complex64::new;
+    let known = Moebius::new(Complex64::ONE, c(-0.3, 0.0), c(0.5, 0.0), Complex64::ONE).unwrap();
+    let formula = FormulaMap::new("(z - 0.3)/(1 + 0.5z)").unwrap();
+    assert!(formula.inverse_map().is_none());
+    let (shown, view, side) = (frame(0.0, 0.0, 2.0, SIDE), frame(0.0, 0.0, 6.0, 200), 200);
+    let truth = Truth { picture: &gradient(), wrap: Wrap::Transparent, light: Light::Plain, samples: 8 };
+    let exact = truth.render(&shown, &view, |w| (w + 0.3) / (1.0 - 0.5 * w));
+    for wrap in [Wrap::Transparent, Wrap::Clamp, Wrap::Repeat, Wrap::Mirror] {
+        let texture = texture(&gradient(), wrap);
+        for quality in [Quality::Nearest, Quality::Bilinear, Quality::Trilinear, Quality::Best] {
+            let setting = options(shown, view, Direction::PushForward, quality);
+            let by_inverse = known.warp(&texture, &setting).unwrap();
+            let by_mesh = formula.warp(&texture, &setting).unwrap();
+            assert_same_alpha(&by_inverse, &exact, side, &format!("by the inverse, {wrap:?}, {quality:?}"));
+            assert_same_alpha(&by_mesh, &exact, side, &format!("by a mesh, {wrap:?}, {quality:?}"));
+        }
+    }
 }
 
 #[test]

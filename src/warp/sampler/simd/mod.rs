@@ -27,7 +27,7 @@ pub(super) fn bilinear<W: Fold, T: Texel>(texture: &Texture, row: Row<'_>, line:
     each_four(row, line, |u, v, _| {
         let (u, v) = axes.folded::<W>(u, v);
         let taps = Taps::new(&base, u, v);
-        let sums = taps.sums(pyramid.texels, taps.weights(f32x4_splat(ONE)).completed());
+        let sums = taps.sums::<W, T>(pyramid.texels, taps.weights(f32x4_splat(ONE)).completed());
         T::pixels(sums, WEIGHT_BITS, pyramid.tables)
     });
 }
@@ -38,7 +38,7 @@ pub(super) fn trilinear<W: Fold, T: Texel>(texture: &Texture, row: Row<'_>, line
     each_four(row, line, |u, v, at| {
         let (u, v) = axes.folded::<W>(u, v);
         let between = Between::new(pyramid, four(row.level, at));
-        T::pixels(between.sums(pyramid, u, v), WEIGHT_BITS, pyramid.tables)
+        T::pixels(between.sums::<W, T>(pyramid, u, v), WEIGHT_BITS, pyramid.tables)
     });
 }
 
@@ -55,7 +55,7 @@ pub(super) fn best<W: Fold, T: Texel>(texture: &Texture, row: Row<'_>, line: &mu
                 f32x4_add(t, f32x4_add(across, f32x4_mul(ty, f32x4_splat(y))))
             };
             let (u, v) = axes.folded::<W>(moved(u, ux, uy), moved(v, vx, vy));
-            sums = plus(sums, between.sums(pyramid, u, v));
+            sums = plus(sums, between.sums::<W, T>(pyramid, u, v));
         }
         // Four samples: two bits more. Full light then takes 31 bits, and just fits.
         T::pixels(sums, WEIGHT_BITS + 2, pyramid.tables)

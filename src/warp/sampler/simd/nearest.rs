@@ -1,7 +1,7 @@
 //! The nearest texel, four pixels at a time.
 
 use super::texel::straightened_bytes;
-use super::vectors::{Axes, ROUNDER, each_four};
+use super::vectors::{Axes, ROUNDER, each_four, is_inner};
 use crate::warp::sampler::fold::Fold;
 use crate::warp::sampler::input::{Pyramid, Row};
 use crate::warp::texel::ByteTexel;
@@ -14,7 +14,8 @@ pub fn nearest<W: Fold>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
     let (width, height, stride) = (level.width as f32, level.height as f32, i32x4_splat(level.stride as i32));
     each_four(row, line, |u, v, _| {
         let (u, v) = axes.folded::<W>(u, v);
-        let index = i32x4_add(i32x4_mul(cell(v, height), stride), cell(u, width));
+        let (column, row) = (cell(u, width), cell(v, height));
+        let index = i32x4_add(i32x4_mul(row, stride), column);
         let texel = |index: i32| {
             let index = level.offset + index as usize;
             debug_assert!(index < pyramid.texels.len());
@@ -27,6 +28,12 @@ pub fn nearest<W: Fold>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
             texel(i32x4_extract_lane::<2>(index)),
             texel(i32x4_extract_lane::<3>(index)),
         );
+        let texels = if W::FRAMED {
+            let inner = v128_and(is_inner(column, level.width as i32), is_inner(row, level.height as i32));
+            v128_and(texels, inner)
+        } else {
+            texels
+        };
         straightened_bytes(texels)
     });
 }

@@ -1,8 +1,9 @@
 //! Four bilinear samples of one level: which texels, with which weights.
 
 use super::texel::Texel;
-use super::vectors::{ROUNDER, Sums};
+use super::vectors::{ROUNDER, Sums, is_inner};
 use crate::warp::pyramid::Level;
+use crate::warp::sampler::fold::Fold;
 use core::arch::wasm32::*;
 
 /// Weights are integers that sum to this, a power of two that 16 bits hold.
@@ -13,8 +14,16 @@ pub const WEIGHT_BITS: u32 = 14;
 pub struct Taps {
     index: v128,
     stride: usize,
+    column: Along,
+    row: Along,
     x: v128,
     y: v128,
+}
+
+/// The texels (the border's included) before four points on an axis of so many texels.
+struct Along {
+    before: v128,
+    size: usize,
 }
 
 /// The weights of four samples' taps: of the tap itself, the one on its right, and the same two a row below.
@@ -29,7 +38,14 @@ impl Taps {
         let (column, x) = cell(u, level.scale[0], level.width);
         let (row, y) = cell(v, level.scale[1], level.height);
         let index = i32x4_add(i32x4_mul(row, i32x4_splat(level.stride as i32)), column);
-        Self { index: i32x4_add(index, i32x4_splat(level.offset as i32)), stride: level.stride, x, y }
+        Self {
+            index: i32x4_add(index, i32x4_splat(level.offset as i32)),
+            stride: level.stride,
+            column: Along { before: column, size: level.width },
+            row: Along { before: row, size: level.height },
+            x,
+            y,
+        }
     }
 
     /// Bilinear weights with the sum `share` (0 to [`ONE`]), each rounded.
@@ -43,7 +59,8 @@ impl Taps {
     }
 
     #[inline(always)]
-    pub fn sums<T: Texel>(&self, texels: &[T], weights: Weights) -> Sums {
+    pub fn sums<W: Fold, T: Texel>(&self, texels: &[T], weights: Weights) -> Sums {
+        let weights = if W::FRAMED { weights.within(&self.column, &self.row) } else { weights };
         let [left, right] = weights.pairs();
         let sum = |index: i32, left: v128, right: v128| {
             let index = index as usize;
@@ -71,7 +88,24 @@ impl Taps {
     }
 }
 
+impl Along {
+    /// Which of the texels before the points, and of those after them, are not the border's.
+    #[inline(always)]
+    fn inner(&self) -> [v128; 2] {
+        let size = self.size as i32;
+        [is_inner(self.before, size), is_inner(i32x4_add(self.before, i32x4_splat(1)), size)]
+    }
+}
+
 impl Weights {
+    /// None for taps of the border.
+    #[inline(always)]
+    fn within(self, column: &Along, row: &Along) -> Self {
+        let (Self([a, b, c, d]), [left, right], [upper, lower]) = (self, column.inner(), row.inner());
+        let both = |weight: v128, x: v128, y: v128| v128_and(weight, v128_and(x, y));
+        Self([both(a, left, upper), both(b, right, upper), both(c, left, lower), both(d, right, lower)])
+    }
+
     /// The first weight changed so that all sum to [`ONE`], whatever rounding did.
     #[inline(always)]
     pub fn completed(self) -> Self {

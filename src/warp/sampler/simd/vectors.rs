@@ -50,6 +50,12 @@ pub fn plus(a: Sums, b: Sums) -> Sums {
     [i32x4_add(a[0], b[0]), i32x4_add(a[1], b[1]), i32x4_add(a[2], b[2]), i32x4_add(a[3], b[3])]
 }
 
+/// Which of four texels along an axis (the border's included) are not the border's: they are 1 to `size`.
+#[inline(always)]
+pub fn is_inner(at: v128, size: i32) -> v128 {
+    v128_and(i32x4_gt(at, i32x4_splat(0)), i32x4_le(at, i32x4_splat(size)))
+}
+
 /// The texture's sizes and their reciprocals, for folding.
 pub struct Axes {
     sizes: [v128; 2],
