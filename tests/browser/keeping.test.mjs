@@ -1,8 +1,13 @@
 // Work is kept: own photos over reloads and between pages until they are forgotten, regions along the links, a link to copy.
 
 import assert from "node:assert/strict";
+import { cp, mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { chosenPhoto, drag, handle, middle, openPage, openQuarters, screenshot, settled, startBrowser } from "./support/page.mjs";
+import { contentPolicy, serve } from "../../tools/server.mjs";
+import { root } from "../../tools/steps.mjs";
 
 /** @type {Awaited<ReturnType<typeof startBrowser>>} */
 let session;
@@ -82,3 +87,17 @@ for (const name of ["", "regions.html", "formula.html", "cortex.html"]) {
     await close();
   });
 }
+
+test("the pages work from any path of a host", async () => {
+  const folder = await mkdtemp(join(tmpdir(), "site-"));
+  await cp(join(root, "www"), join(folder, "some", "where"), { recursive: true });
+  const server = await serve(folder, 0, contentPolicy);
+  const { page, errors, close } = await openPage({ ...session, url: server.url }, "some/where/");
+  await page.locator("nav a", { hasText: "Formula" }).click();
+  await settled(page, "ready");
+  assert.equal(new URL(page.url()).pathname, "/some/where/formula.html");
+  assert.deepEqual(errors, []);
+  await close();
+  await server.close();
+  await rm(folder, { recursive: true });
+});
