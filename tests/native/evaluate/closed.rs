@@ -64,7 +64,8 @@ fn toward_goes_to_1_and_boundaries_belong_to_their_regions() {
         assert!(region.contains(toward), "{toward}");
         let map = map.with_center(center, aim, &mut |_, _| true).unwrap();
         let w = map.to_disk(&[toward])[0];
-        assert!((w - 1.0).norm() <= map.error_estimate(), "{toward} goes to {w}");
+        // The image errs by the estimate, and so does the measure up to `toward`, by which the disk was turned.
+        assert!((w - 1.0).norm() <= 2.0 * map.error_estimate(), "{toward} goes to {w}");
         assert!(!map.derivative(&[toward])[0].is_nan());
     }
 }
