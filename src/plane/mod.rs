@@ -11,6 +11,7 @@ mod smooth_curve;
 mod svg_file;
 mod svg_path;
 
+pub(crate) use edge_tree::EdgeTree;
 pub use frame::Frame;
 pub use num_complex::Complex64;
 pub use outline_text::parse_outline;

@@ -151,7 +151,7 @@ impl<'a> Inverter<'a> {
         let count = self.accuracy.cell_terms();
         let mut series = [Complex64::ZERO; MAX_COEFFICIENTS];
         for _ in 0..MOST_STEPS {
-            let wall = self.atlas.walls.nearest(middle, &self.atlas.walls.all());
+            let wall = self.atlas.walls.nearest_of_all(middle);
             if !wall.inside {
                 return None;
             }
@@ -242,7 +242,7 @@ impl<'a> Inverter<'a> {
 
     /// By the chart's own sum.
     fn own(&self, z: Complex64) -> Option<Forward> {
-        let wall = self.atlas.walls.nearest(z, &self.atlas.walls.all());
+        let wall = self.atlas.walls.nearest_of_all(z);
         if !wall.inside {
             return None;
         }

@@ -62,7 +62,7 @@ impl RegionSide {
             }
             Leaf::Outside | Leaf::Chart(_) | Leaf::Walk(_) => None,
             Leaf::Sum(chart) => {
-                let nearest = atlas.walls.nearest(z, &atlas.walls.all());
+                let nearest = atlas.walls.nearest_of_all(z);
                 if !nearest.inside || nearest.distance == 0.0 {
                     return None;
                 }
@@ -85,7 +85,7 @@ impl RegionSide {
     /// For the few places that no expansion reaches.
     #[cold]
     fn directly(&self, atlas: &Atlas, chart: usize, z: Complex64) -> Option<Complex64> {
-        let nearest = atlas.walls.nearest(z, &atlas.walls.all());
+        let nearest = atlas.walls.nearest_of_all(z);
         let map = &atlas.charts[chart];
         if nearest.distance <= ON_BOUNDARY {
             let length = self.boundary.lengths[nearest.edge];

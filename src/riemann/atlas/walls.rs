@@ -1,6 +1,6 @@
 //! Distances to the boundary.
 
-use crate::plane::Complex64;
+use crate::plane::{Complex64, EdgeTree};
 use crate::symm::panel::Boundary;
 use std::sync::Arc;
 
@@ -8,6 +8,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Walls {
     boundary: Arc<Boundary>,
+    tree: Arc<EdgeTree>,
     /// Whether the map is singular at each vertex: unless π is a multiple of the interior angle, it is.
     singular: Vec<bool>,
 }
@@ -28,7 +29,7 @@ impl Walls {
     pub fn new(boundary: &Arc<Boundary>) -> Self {
         let regular = |alpha: &f64| (1.0 / alpha - (1.0 / alpha).round()).abs() < 1e-9;
         let singular = boundary.alpha.iter().map(|alpha| !regular(alpha)).collect();
-        Self { boundary: Arc::clone(boundary), singular }
+        Self { boundary: Arc::clone(boundary), tree: Arc::new(EdgeTree::new(&boundary.vertices)), singular }
     }
 
     /// `z` in the coordinates of an edge: start at 0, along the real axis, the region above.
@@ -70,6 +71,14 @@ impl Walls {
         Nearest { distance: square.sqrt(), edge, along, inside }
     }
 
+    /// The nearest point on all edges.
+    #[must_use]
+    pub fn nearest_of_all(&self, z: Complex64) -> Nearest {
+        let square = |edge: usize| self.distance(z, edge).powi(2);
+        let edge = self.tree.nearest(z, f64::INFINITY, square).1.unwrap_or(0);
+        self.nearest(z, &[edge as u32])
+    }
+
     /// Of some edges those that come as near as `limit`.
     #[must_use]
     pub fn within(&self, z: Complex64, among: &[u32], limit: f64) -> Vec<u32> {
@@ -106,9 +115,14 @@ impl Walls {
             let [a, b] = heights(p);
             if alpha > 1.0 { a.max(b) >= 0.0 } else { a.min(b) >= 0.0 }
         };
-        let others = (0..boundary.len()).filter(|&k| k != edge && k != before);
-        let points = others.map(|k| self.nearest_of(origin, k)).filter(|p| seen(*p));
-        points.map(|p| (p - origin).norm_sqr()).fold(room * room, f64::min).sqrt()
+        let square = |k: usize| {
+            if k == edge || k == before {
+                return f64::INFINITY;
+            }
+            let p = self.nearest_of(origin, k);
+            if seen(p) { (p - origin).norm_sqr() } else { f64::INFINITY }
+        };
+        self.tree.nearest(origin, room * room, square).0.sqrt()
     }
 
     /// The point of `edge` nearest to `z`.
