@@ -105,6 +105,9 @@ pub struct Atlas {
 const UNKNOWNS: usize = 100_000;
 /// and this times those of the first, so that large regions do not wait for, or run out of memory over, their small bays.
 const UNKNOWNS_PER_FIRST: usize = 4;
+/// Where the first has more than this, each of the others would take longer than the whole solve did: none is added, and what
+/// crowds together is told apart as well as the first can.
+const LARGEST_FIRST: usize = 40_000;
 /// More centers than any region needs that double precision can describe.
 const MAX_CHARTS: usize = 64;
 /// Disk → region, another chart takes over where it stretches by this much more; well beyond the middle between two centers.
@@ -139,6 +142,9 @@ impl Atlas {
         let near = &self.charts[parent];
         let unknowns: usize = self.charts.iter().map(|chart| chart.measure.masses.len()).sum();
         let affordable = UNKNOWNS + UNKNOWNS_PER_FIRST * first.masses.len();
+        if first.masses.len() > LARGEST_FIRST {
+            return false;
+        }
         if self.charts.len() >= self.options.max_charts.min(MAX_CHARTS) || unknowns >= affordable {
             return false;
         }

@@ -1,6 +1,6 @@
 //! Regions on which evaluation once took minutes, lost its digits or gave NaN: the work is bounded, the answers hold.
 
-use crate::support::{c, complex, largest, points, share, solve};
+use crate::support::{c, case, complex, largest, points, share, solve};
 use conformal_warp::{Complex64, Curve, Region};
 use std::f64::consts::TAU;
 
@@ -77,4 +77,15 @@ fn answers_do_not_depend_on_history() {
         w.iter().flat_map(|&w| map.from_disk(&[w])).collect()
     };
     assert_eq!(solve(&region, 1e-4).from_disk(&w), one_by_one);
+}
+
+/// The first point of ten thousand vertices took minutes and 4.3 GB.
+#[test]
+fn ten_thousand_vertices_are_evaluated_in_bounded_memory() {
+    let map = solve(&case("blob10000").region(), 1e-3);
+    let w = spread_over_disk(1000);
+    let there_and_back = map.to_disk(&map.from_disk(&w));
+    assert!(map.evaluator_bytes() < 500_000_000, "{} bytes", map.evaluator_bytes());
+    let worst = largest(there_and_back.iter().zip(&w).map(|(a, b)| (a - b).norm()));
+    assert!(worst <= map.error_estimate(), "{worst:e} against {:e}", map.error_estimate());
 }
