@@ -1,5 +1,6 @@
 //! Outlines that come as text: points in JSON, the data of an SVG path, or an SVG file.
 
+use super::svg_path::attainable;
 use super::{Complex64, json_points, svg_file, svg_path};
 use crate::{Error, Result};
 use kurbo::{BezPath, PathEl, Point};
@@ -55,6 +56,9 @@ fn from_json(text: &str) -> Result<Vec<Complex64>> {
 
 /// The one curve that all these draw, as the vertices of a closed polygon.
 fn one_of(paths: &[BezPath], tolerance: f64) -> Result<Vec<Complex64>> {
+    if !paths.iter().all(BezPath::is_finite) {
+        return Err(invalid("it is larger than numbers can say"));
+    }
     let mut contours: Vec<_> = paths.iter().flat_map(|path| contours(path, tolerance)).collect();
     match (contours.len(), contours.pop()) {
         (1, Some(contour)) => Ok(contour),
@@ -67,7 +71,8 @@ fn one_of(paths: &[BezPath], tolerance: f64) -> Result<Vec<Complex64>> {
 fn contours(path: &BezPath, tolerance: f64) -> Vec<Vec<Complex64>> {
     let mut contours: Vec<Vec<Complex64>> = Vec::new();
     // Elliptical arcs have had the rest of the tolerance.
-    kurbo::flatten(path, 0.75 * tolerance, |element| match element {
+    let size = path.control_box().size().to_vec2().hypot();
+    kurbo::flatten(path, 0.75 * attainable(tolerance, size), |element| match element {
         PathEl::MoveTo(point) => contours.push(vec![vertex(point)]),
         PathEl::LineTo(point) => {
             if let Some(contour) = contours.last_mut().filter(|contour| contour.last() != Some(&vertex(point))) {

@@ -1,6 +1,6 @@
 //! An SVG file → the curves that it draws, in the user units of its outermost `svg`.
 
-use super::svg_path;
+use super::svg_path::{self, attainable};
 use kurbo::{Affine, BezPath, Shape};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::str::FromStr;
@@ -138,9 +138,14 @@ fn outline(node: Node<'_, '_>, size: [f64; 2], tolerance: f64) -> Result<Option<
         "line" => Some(kurbo::Line::new((x("x1")?, y("y1")?), (x("x2")?, y("y2")?)).to_path(tolerance)),
         "circle" => {
             let radius = length(node, "r", diagonal)?.unwrap_or(0.0);
-            Some(kurbo::Circle::new((x("cx")?, y("cy")?), radius).to_path(tolerance))
+            let circle = kurbo::Circle::new((x("cx")?, y("cy")?), radius);
+            Some(circle.to_path(attainable(tolerance, radius)))
         }
-        "ellipse" => Some(kurbo::Ellipse::new((x("cx")?, y("cy")?), (x("rx")?, y("ry")?), 0.0).to_path(tolerance)),
+        "ellipse" => {
+            let radii = kurbo::Vec2::new(x("rx")?, y("ry")?);
+            let ellipse = kurbo::Ellipse::new((x("cx")?, y("cy")?), radii, 0.0);
+            Some(ellipse.to_path(attainable(tolerance, radii.hypot())))
+        }
         "rect" => {
             let ([left, top], [width, height]) = ([x("x")?, y("y")?], [x("width")?, y("height")?]);
             // Sizes that are not positive draw nothing, and would leave no room for the corners' radii.

@@ -81,7 +81,8 @@ impl Pen {
         match Arc::from_svg_arc(arc) {
             Some(curve) => {
                 let mut pieces = Vec::new();
-                curve.to_cubic_beziers(self.tolerance, |first, second, to| pieces.push([first, second, to]));
+                let tolerance = attainable(self.tolerance, curve.radii.hypot());
+                curve.to_cubic_beziers(tolerance, |first, second, to| pieces.push([first, second, to]));
                 // The end that was written, not the one that sines and cosines give.
                 if let Some(last) = pieces.last_mut() {
                     last[2] = arc.to;
@@ -129,4 +130,9 @@ fn explain(data: &str, error: &svgtypes::Error) -> String {
         Some((index, c)) => format!("the path cannot be read from “{c}” (character {}) on", index + 1),
         None => "the path ends in the middle of a command".into(),
     }
+}
+
+/// The tolerance, or what the digits of something so large tell apart: to ask for less would only ask for memory.
+pub fn attainable(tolerance: f64, size: f64) -> f64 {
+    tolerance.max(1e-9 * size)
 }

@@ -2,6 +2,7 @@
 //! `HOSTILE=20 cargo test --release --test native hostile -- --nocapture` twenty times as much, with its figures.
 
 mod estimate;
+mod outlines;
 mod polygons;
 
 /// How many times the share of `npm test` is tried.
