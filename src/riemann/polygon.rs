@@ -191,11 +191,20 @@ impl SolvedRegion for SolvedPolygon {
         self.expansions().flat_slope(point)
     }
 
+    fn crowded(&self) -> Option<Complex64> {
+        self.expansions().crowded().map(|z| self.plane(z))
+    }
+
     fn positions(&self) -> &[Position] {
         self.expansions().positions()
     }
 
     fn prepare(&self, progress: Progress) -> Result<()> {
+        if self.expansions.get().is_none() {
+            let built = Expansions::reporting(&self.solution, &self.options, progress)?;
+            // If another thread was first, its are the same.
+            let _ = self.expansions.set(built);
+        }
         self.expansions().prepare(progress)
     }
 

@@ -176,10 +176,18 @@ impl RiemannMap {
         self.solved.positions().len()
     }
 
+    /// Where evaluation had to accept that far parts of a region crowd together, because `max_charts` or their solves left
+    /// no other way: a place (plane units) where it is worst. Errors in the plane are there more than twenty times those in
+    /// the disk. `None` if there is no such place. Builds the way to the disk, as the first [`RiemannMap::to_disk`] does.
+    #[must_use]
+    pub fn crowded_at(&self) -> Option<Complex64> {
+        self.solved.crowded()
+    }
+
     /// Builds the evaluator now, both ways, instead of at its first use each way. `progress` as in [`RiemannMap::solve`].
     ///
     /// # Errors
-    /// [`Error::Cancelled`](crate::Error::Cancelled). What was built by then is kept, and the map is as usable as before.
+    /// [`Error::Cancelled`](crate::Error::Cancelled). Parts that are finished by then are kept, no half ones, and the map is as usable as before.
     pub fn prepare(&self, progress: Progress) -> Result<()> {
         self.solved.prepare(progress)
     }

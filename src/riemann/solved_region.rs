@@ -72,6 +72,11 @@ pub(super) trait SolvedRegion: Debug + Send + Sync {
         Complex64::ONE
     }
 
+    /// A place where parts of the region are crowded together most, if that had to be accepted anywhere.
+    fn crowded(&self) -> Option<Complex64> {
+        None
+    }
+
     /// Where the charts lie.
     fn positions(&self) -> &[Position] {
         static ONE_POSITION: [Position; 1] = [Position::FIRST];

@@ -126,6 +126,13 @@ impl RiemannMap {
         progress.finish(prepared)
     }
 
+    /// `[x, y]` where far parts of the region crowd together most, if evaluation had to accept that, as with few `maxCharts`:
+    /// errors in the plane are there more than twenty times those in the disk. Builds what `toDisk` builds at its first use.
+    #[wasm_bindgen(getter, js_name = crowdedAt, unchecked_return_type = "[x: number, y: number] | undefined")]
+    pub fn crowded_at(&self) -> Option<Vec<f64>> {
+        self.evaluated().crowded_at().map(|z| vec![z.re, z.im])
+    }
+
     /// Bytes that this takes; 0 before its first use.
     #[wasm_bindgen(getter, js_name = evaluatorBytes)]
     pub fn evaluator_bytes(&self) -> usize {

@@ -8,7 +8,7 @@ use super::zone::Zones;
 use crate::plane::Complex64;
 use crate::symm::far_center::{Measure, solve_far};
 use crate::symm::local_series::LocalSeries;
-use crate::symm::options::SolveOptions;
+use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::solution::Solution;
 
 /// One center's map region → disk, with vertex 0 ↦ 1 (scaled units).
@@ -137,7 +137,7 @@ impl Atlas {
     }
 
     /// Adds a chart around `center`, where chart `parent` is still good. False if there are too many, or no map was found.
-    pub fn add(&mut self, center: Complex64, parent: usize) -> bool {
+    pub fn add(&mut self, center: Complex64, parent: usize, progress: Progress) -> bool {
         let first = &self.charts[0].measure;
         let near = &self.charts[parent];
         let unknowns: usize = self.charts.iter().map(|chart| chart.measure.masses.len()).sum();
@@ -148,7 +148,7 @@ impl Atlas {
         if self.charts.len() >= self.options.max_charts.min(MAX_CHARTS) || unknowns >= affordable {
             return false;
         }
-        let Ok(solution) = solve_far(first, &near.measure, center, &self.options, &mut |_, _| true) else {
+        let Ok(solution) = solve_far(first, &near.measure, center, &self.options, progress) else {
             return false;
         };
         let chart = Chart::new(&solution, &self.walls);

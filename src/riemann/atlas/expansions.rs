@@ -28,10 +28,28 @@ impl Expansions {
     /// Builds the way to the disk; the way back is built chart by chart, where it is first asked for.
     #[must_use]
     pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
+        Self::build(solution, options, &mut |_, _| true)
+    }
+
+    /// [`Expansions::new`], unless `progress` cancels: then nothing is left of it.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn reporting(solution: &Solution, options: &SolveOptions, progress: Progress) -> Result<Self> {
+        let mut cancelled = false;
+        let built = Self::build(solution, options, &mut |stage, fraction| {
+            cancelled = cancelled || !progress(stage, fraction);
+            !cancelled
+        });
+        if cancelled { Err(Error::Cancelled) } else { Ok(built) }
+    }
+
+    /// Of no use once `progress` has returned false.
+    fn build(solution: &Solution, options: &SolveOptions, progress: Progress) -> Self {
         let boundary = &solution.discretisation().boundary;
         let accuracy = Accuracy::of(solution);
         let mut atlas = Atlas::new(solution, options);
-        let region = RegionSide::new(boundary, &mut atlas, accuracy);
+        let region = RegionSide::new(boundary, &mut atlas, accuracy, progress);
         let disks = vec![OnceLock::new(); atlas.charts.len()];
         Self { atlas, region, disks, accuracy }
     }
@@ -99,6 +117,12 @@ impl Expansions {
             return Some((z, slope));
         }
         Some((z, slope * self.atlas.link(chart, point.chart).slope(point.w)))
+    }
+
+    /// A place where parts of the region are crowded together most, if that had to be accepted anywhere.
+    #[must_use]
+    pub fn crowded(&self) -> Option<Complex64> {
+        self.region.crowded
     }
 
     /// The charts seen from the first.

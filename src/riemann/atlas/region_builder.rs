@@ -9,6 +9,7 @@ use super::power_series::{MAX_COEFFICIENTS, rescale};
 use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step};
 use super::walls::Nearest;
 use crate::plane::Complex64;
+use crate::symm::options::Progress;
 use crate::symm::panel::Boundary;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -24,10 +25,24 @@ const SHARE_OF_SUM: f64 = 0.5;
 const LEAST_SLOPE: f64 = 0.05;
 /// More cells than this are not made; what is left is summed directly.
 const MAX_CELLS: usize = 400_000;
+/// Squares between two reports.
+const SQUARES_PER_REPORT: usize = 256;
 
-/// The tree, the cells and the patches of the maps region → disk; adds charts where the map of the first is too crowded.
-#[must_use]
-pub fn build(boundary: &Arc<Boundary>, atlas: &mut Atlas, accuracy: Accuracy) -> (Quadtree, Cells, Patches) {
+/// What the region is cut into.
+pub struct RegionParts {
+    /// The squares.
+    pub tree: Quadtree,
+    /// Taylor polynomials.
+    pub cells: Cells,
+    /// Boundary zones.
+    pub patches: Patches,
+    /// Where crowding had to be accepted, a place where it is worst.
+    pub crowded: Option<Complex64>,
+}
+
+/// Cuts the region for the maps region → disk; adds charts where the map of the first is too crowded. Once `progress` has
+/// returned false, what is left is not cut any more.
+pub fn build(boundary: &Arc<Boundary>, atlas: &mut Atlas, accuracy: Accuracy, progress: Progress) -> RegionParts {
     let (center, half) = bounds(boundary);
     let mut tree = Quadtree::new(center, half);
     let patches = Patches::new(boundary, accuracy);
@@ -40,22 +55,27 @@ pub fn build(boundary: &Arc<Boundary>, atlas: &mut Atlas, accuracy: Accuracy) ->
         crowded: Vec::new(),
         accept_crowding: false,
         hint: 0,
+        worst: None,
+        seen: 0,
+        done: 0.0,
+        stopped: false,
     };
     let root = (tree.root(), Rc::new(atlas.walls.all()));
     let mut open = vec![root];
     loop {
         for (square, walls) in open.drain(..) {
-            tree.grow(square, walls, &mut |square, walls| builder.decide(atlas, square, &walls));
+            tree.grow(square, walls, &mut |square, walls| builder.next(atlas, square, &walls, progress));
         }
         let score = |c: &Crowded| if c.slope.is_finite() { c.slope * c.clear } else { 0.0 };
         let Some(next) = builder.crowded.iter().max_by(|a, b| score(a).total_cmp(&score(b))) else { break };
-        if !atlas.add(next.center, next.chart) {
+        if !atlas.add(next.center, next.chart, progress) {
             builder.accept_crowding = true;
         }
         open = builder.crowded.drain(..).map(|c| (c.square, c.walls)).collect();
     }
     tree.finish();
-    (tree, builder.cells, builder.patches)
+    let crowded = builder.worst.map(|(_, place)| place);
+    RegionParts { tree, cells: builder.cells, patches: builder.patches, crowded }
 }
 
 /// The square around the boundary.
@@ -93,9 +113,30 @@ struct Builder {
     accept_crowding: bool,
     /// The chart that served last.
     hint: usize,
+    /// The least slope that was accepted though it is crowded, and where.
+    worst: Option<(f64, Complex64)>,
+    /// Squares so far,
+    seen: usize,
+    /// and the share of the whole that is decided.
+    done: f64,
+    stopped: bool,
 }
 
 impl Builder {
+    /// [`Builder::decide`], unless the caller wants no more.
+    fn next(&mut self, atlas: &Atlas, square: Square, walls: &WallList, progress: Progress) -> Step<WallList> {
+        self.stopped = self.stopped || (self.seen.is_multiple_of(SQUARES_PER_REPORT) && !progress("expand", self.done));
+        self.seen += 1;
+        if self.stopped {
+            return Step::Leaf(Leaf::Sum(0).into());
+        }
+        let step = self.decide(atlas, square, walls);
+        if matches!(step, Step::Leaf(_)) {
+            self.done += 0.25f64.powi(square.level as i32);
+        }
+        step
+    }
+
     fn decide(&mut self, atlas: &Atlas, square: Square, walls: &WallList) -> Step<WallList> {
         let radius = square.half * std::f64::consts::SQRT_2;
         let nearest = atlas.walls.nearest(square.center, walls);
@@ -128,7 +169,7 @@ impl Builder {
         rescale(coefficients, radius / unit);
         self.hint = chart;
         let slope = coefficients[1].norm() / radius * self.size;
-        if !self.trusts(slope) {
+        if !self.trusts(slope, square.center) {
             self.crowded.push(Crowded { square, walls: Rc::clone(walls), center: square.center, chart, slope, clear });
             return Some(Step::Open);
         }
@@ -159,17 +200,24 @@ impl Builder {
         let index = self.patches.get(atlas, chart, zone);
         let patch = &self.patches.list[index as usize];
         let slope = patch.typical_slope() * self.size;
-        if !self.trusts(slope) {
-            let center = patch.zone.point(Complex64::i());
+        let top = patch.zone.point(Complex64::i());
+        let reach = patch.zone.reach;
+        if !self.trusts(slope, top) {
             // Half as eligible as a square in the middle of the region.
-            let clear = 0.5 * patch.zone.reach;
-            self.crowded.push(Crowded { square, walls: Rc::clone(walls), center, chart, slope, clear });
+            let clear = 0.5 * reach;
+            self.crowded.push(Crowded { square, walls: Rc::clone(walls), center: top, chart, slope, clear });
             return Some(Step::Open);
         }
         Some(Step::Leaf(Leaf::Patch(index).into()))
     }
 
-    fn trusts(&self, slope: f64) -> bool {
-        self.accept_crowding || slope >= LEAST_SLOPE
+    fn trusts(&mut self, slope: f64, place: Complex64) -> bool {
+        if slope >= LEAST_SLOPE {
+            return true;
+        }
+        if self.accept_crowding && self.worst.is_none_or(|(least, _)| slope < least) {
+            self.worst = Some((slope, place));
+        }
+        self.accept_crowding
     }
 }

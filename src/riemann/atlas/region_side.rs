@@ -8,8 +8,9 @@ use super::leaf::Leaf;
 use super::patch::Patch;
 use super::patches::Patches;
 use super::quadtree::Quadtree;
-use super::region_builder::build;
+use super::region_builder::{RegionParts, build};
 use crate::plane::Complex64;
+use crate::symm::options::Progress;
 use crate::symm::panel::Boundary;
 use std::sync::Arc;
 
@@ -22,14 +23,15 @@ pub struct RegionSide {
     /// Boundary zones.
     pub patches: Patches,
     boundary: Arc<Boundary>,
+    /// Where crowding had to be accepted, a place where it is worst.
+    pub crowded: Option<Complex64>,
 }
 
 impl RegionSide {
-    /// Builds the tree; adds charts where the map of the first is too crowded.
-    #[must_use]
-    pub fn new(boundary: &Arc<Boundary>, atlas: &mut Atlas, accuracy: Accuracy) -> Self {
-        let (tree, cells, patches) = build(boundary, atlas, accuracy);
-        Self { tree, cells, patches, boundary: Arc::clone(boundary) }
+    /// Builds the tree; adds charts where the map of the first is too crowded. Of no use once `progress` has returned false.
+    pub fn new(boundary: &Arc<Boundary>, atlas: &mut Atlas, accuracy: Accuracy, progress: Progress) -> Self {
+        let RegionParts { tree, cells, patches, crowded } = build(boundary, atlas, accuracy, progress);
+        Self { tree, cells, patches, boundary: Arc::clone(boundary), crowded }
     }
 
     /// z → (chart, w there); `None` outside the closed region.

@@ -1,7 +1,7 @@
 //! Regions on which evaluation once took minutes, lost its digits or gave NaN: the work is bounded, the answers hold.
 
 use crate::support::{c, case, complex, largest, points, share, solve};
-use conformal_warp::{Complex64, Curve, Region};
+use conformal_warp::{Complex64, Curve, Error, Region, RiemannMap, SolveOptions};
 use std::f64::consts::TAU;
 
 fn region(vertices: &[[f64; 2]], center: [f64; 2], toward: [f64; 2]) -> Region {
@@ -88,4 +88,53 @@ fn ten_thousand_vertices_are_evaluated_in_bounded_memory() {
     assert!(map.evaluator_bytes() < 500_000_000, "{} bytes", map.evaluator_bytes());
     let worst = largest(there_and_back.iter().zip(&w).map(|(a, b)| (a - b).norm()));
     assert!(worst <= map.error_estimate(), "{worst:e} against {:e}", map.error_estimate());
+}
+
+/// 40:1, seen from one end.
+fn strip() -> Region {
+    region(&[[0.0, 0.0], [40.0, 0.0], [40.0, 1.0], [0.0, 1.0]], [0.5, 0.5], [0.0, 0.5])
+}
+
+/// Cancelled at any stage, solves of charts included, a build leaves nothing that changes the next one.
+#[test]
+fn a_cancelled_build_can_be_tried_again() {
+    let options = SolveOptions { tolerance: 1e-6, ..SolveOptions::default() };
+    let solve = || RiemannMap::solve(&strip(), &options, &mut |_, _| true).unwrap();
+    let (map, fresh) = (solve(), solve());
+    let mut stages = Vec::new();
+    fresh
+        .prepare(&mut |stage, fraction| {
+            assert!((0.0..=1.0).contains(&fraction), "{stage}: {fraction}");
+            stages.push(stage);
+            true
+        })
+        .unwrap();
+    assert!(fresh.charts() > 1 && stages.contains(&"solve") && stages.contains(&"expand"), "{stages:?}");
+    for at in [0, stages.len() / 3, stages.len() / 2] {
+        let mut left = at;
+        let cancelled = map.prepare(&mut |_, _| {
+            left = left.wrapping_sub(1);
+            left != usize::MAX
+        });
+        assert_eq!(cancelled, Err(Error::Cancelled), "after {at} of {}", stages.len());
+        assert_eq!(map.evaluator_bytes(), 0, "after {at} of {}", stages.len());
+    }
+    map.prepare(&mut |_, _| true).unwrap();
+    assert_eq!(map.evaluator_bytes(), fresh.evaluator_bytes());
+    let w = spread_over_disk(2000);
+    let z = map.from_disk(&w);
+    assert_eq!(z, fresh.from_disk(&w));
+    assert_eq!(map.to_disk(&z), fresh.to_disk(&z));
+}
+
+/// With one chart the far end of a strip is crowded and said to be; with as many as it needs it is not.
+#[test]
+fn accepted_crowding_is_said() {
+    let crowded_at = |max_charts| {
+        let options = SolveOptions { tolerance: 1e-6, max_charts, ..SolveOptions::default() };
+        RiemannMap::solve(&strip(), &options, &mut |_, _| true).unwrap().crowded_at()
+    };
+    let place = crowded_at(1).unwrap();
+    assert!(place.re > 5.0 && strip().contains(place), "{place}");
+    assert_eq!(crowded_at(64), None);
 }
