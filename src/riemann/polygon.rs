@@ -153,17 +153,18 @@ impl SolvedRegion for SolvedPolygon {
         }
     }
 
+    #[inline]
     fn to_disk(&self, z: Complex64) -> Option<DiskPoint> {
-        let point = self.expansions().to_disk(self.scaled(z)).or_else(|| self.on_circle(z))?;
-        Some(point.map(onto_disk))
+        self.expansions().to_disk(self.scaled(z)).or_else(|| self.on_circle(z))
     }
 
+    #[inline]
     fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
         let (point, slope) = match self.expansions().to_disk_with_slope(self.scaled(z)) {
             Some(found) => found,
             None => (self.on_circle(z)?, self.slope_beside(z)),
         };
-        Some((point.map(onto_disk), slope * self.unit()))
+        Some((point, slope * self.unit()))
     }
 
     fn to_disk_directly(&self, z: Complex64) -> Option<Complex64> {
@@ -174,19 +175,23 @@ impl SolvedRegion for SolvedPolygon {
         self.region.contains(z).then(|| onto_disk(self.solution.to_disk(self.region.nearest(z), z)))
     }
 
+    #[inline]
     fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
         self.expansions().from_disk(point).map(|z| self.plane(z))
     }
 
+    #[inline]
     fn from_disk_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)> {
         let (z, slope) = self.expansions().from_disk_with_slope(point)?;
         Some((self.plane(z), slope / self.unit()))
     }
 
+    #[inline]
     fn flat(&self, point: DiskPoint) -> Complex64 {
         self.expansions().flat(point)
     }
 
+    #[inline]
     fn flat_slope(&self, point: DiskPoint) -> Complex64 {
         self.expansions().flat_slope(point)
     }

@@ -4,7 +4,7 @@ use super::atlas::{Compass, DiskPoint, Position};
 use super::polygon::SolvedPolygon;
 use super::rounding::onto_disk;
 use super::smooth::SolvedCurve;
-use super::solved_region::SolvedRegion;
+use super::solved_region::{NOWHERE, SolvedRegion};
 use crate::Result;
 use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap};
 use crate::plane::{BoundaryPoint, Complex64, Region};
@@ -37,8 +37,6 @@ pub struct RiemannMap {
     toward_measure: f64,
     angles: Vec<f64>,
 }
-
-const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 
 impl RiemannMap {
     /// Solves for the map of `region`. `progress` hears the stage and the fraction done, and cancels by returning false.
@@ -116,8 +114,7 @@ impl RiemannMap {
     /// from then on a million points take a fraction of a second. A point's image depends on nothing but the point.
     #[must_use]
     pub fn to_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
-        let (solved, turn) = (self.solved(), self.turn());
-        points.iter().map(|&z| solved.to_disk(z).map_or(NOWHERE, |p| onto_disk(turn * solved.flat(p)))).collect()
+        self.solved.images(points, self.turn())
     }
 
     /// Disk → region, the inverse of [`RiemannMap::to_disk`]. NaN outside the closed disk; the circle goes to the boundary.
@@ -138,23 +135,20 @@ impl RiemannMap {
     /// ```
     #[must_use]
     pub fn from_disk(&self, points: &[Complex64]) -> Vec<Complex64> {
-        let (solved, turn) = (self.solved(), self.turn().conj());
-        points.iter().map(|w| solved.from_disk(DiskPoint::flat(turn * w)).unwrap_or(NOWHERE)).collect()
+        self.solved.places(points, self.turn())
     }
 
     /// f' of the map region → disk, per plane unit. NaN outside the closed region; infinite at a re-entrant vertex.
     #[must_use]
     pub fn derivative(&self, points: &[Complex64]) -> Vec<Complex64> {
-        let (solved, turn) = (self.solved(), self.turn());
-        let slope = |(point, slope): (DiskPoint, Complex64)| turn * slope * solved.flat_slope(point);
-        points.iter().map(|&z| solved.to_disk_with_slope(z).map_or(NOWHERE, slope)).collect()
+        self.solved.slopes(points, self.turn())
     }
 
     /// Region → disk, as points that keep their places apart also where numbers cannot.
     #[must_use]
     pub fn to_disk_points(&self, points: &[Complex64]) -> Vec<DiskPoint> {
         let solved = self.solved();
-        points.iter().map(|&z| solved.to_disk(z).unwrap_or(DiskPoint::NOWHERE)).collect()
+        points.iter().map(|&z| solved.to_disk(z).map_or(DiskPoint::NOWHERE, |point| point.map(onto_disk))).collect()
     }
 
     /// Disk → region: the inverse of [`RiemannMap::to_disk_points`] of the same map.
@@ -252,13 +246,7 @@ impl RiemannMap {
 /// Region → disk.
 impl PlaneMap for RiemannMap {
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        let (solved, turn) = (self.solved(), self.turn());
-        for (&z, jet) in points.iter().zip(jets) {
-            let found = solved.to_disk_with_slope(z);
-            *jet = found.map_or(Jet::UNDEFINED, |(point, slope)| {
-                Jet::analytic(onto_disk(turn * solved.flat(point)), turn * slope * solved.flat_slope(point))
-            });
-        }
+        self.solved.jets(points, self.turn(), jets);
     }
 
     fn inverse_map(&self) -> Option<Box<dyn PlaneMap + '_>> {
@@ -269,10 +257,6 @@ impl PlaneMap for RiemannMap {
 /// Disk → region.
 impl InvertibleMap for RiemannMap {
     fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        let (solved, turn) = (self.solved(), self.turn().conj());
-        for (w, jet) in points.iter().zip(jets) {
-            let found = solved.from_disk_with_slope(DiskPoint::flat(turn * w));
-            *jet = found.map_or(Jet::UNDEFINED, |(z, slope)| Jet::analytic(z, turn * slope));
-        }
+        self.solved.inverse_jets(points, self.turn(), jets);
     }
 }

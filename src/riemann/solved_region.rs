@@ -1,11 +1,16 @@
 //! What [`RiemannMap`](super::RiemannMap) asks of a solved region, whatever its boundary is made of.
 
 use super::atlas::{DiskPoint, Position};
+use super::rounding::onto_disk;
 use crate::Result;
+use crate::map::{Jet, pointwise};
 use crate::plane::{BoundaryPoint, Complex64};
 use crate::symm::options::{Progress, SolveOptions, Stop};
 use std::fmt::Debug;
 use std::sync::Arc;
+
+/// The image of what has none.
+pub(super) const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 
 /// A region with its solution of Symm's equation: region ↔ disk with vertex 0 ↦ 1, in plane units, with the evidence.
 ///
@@ -47,10 +52,10 @@ pub(super) trait SolvedRegion: Debug + Send + Sync {
     /// Harmonic measure from vertex 0 → boundary point; the inverse of [`SolvedRegion::measure_at`].
     fn boundary_point(&self, measure: f64) -> BoundaryPoint;
 
-    /// Region → disk; `None` outside the closed region.
+    /// Region → disk, beyond the circle by no more than the solve's error; `None` outside the closed region.
     fn to_disk(&self, z: Complex64) -> Option<DiskPoint>;
 
-    /// Region → disk, with the derivative in the point's chart.
+    /// [`SolvedRegion::to_disk`], with the derivative in the point's chart.
     fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)>;
 
     /// Region → disk by summation over the boundary; `None` outside the closed region.
@@ -70,6 +75,41 @@ pub(super) trait SolvedRegion: Debug + Send + Sync {
     /// The derivative of [`SolvedRegion::flat`].
     fn flat_slope(&self, _: DiskPoint) -> Complex64 {
         Complex64::ONE
+    }
+
+    /// Region → disk turned by `turn`, as numbers; NaN outside the closed region. One dynamic call serves all points here and
+    /// in the methods below.
+    fn images(&self, points: &[Complex64], turn: Complex64) -> Vec<Complex64> {
+        points.iter().map(|&z| self.to_disk(z).map_or(NOWHERE, |point| onto_disk(turn * self.flat(point)))).collect()
+    }
+
+    /// Disk turned by `turn` → region; NaN outside the closed disk.
+    fn places(&self, images: &[Complex64], turn: Complex64) -> Vec<Complex64> {
+        let back = turn.conj();
+        images.iter().map(|w| self.from_disk(DiskPoint::flat(back * w)).unwrap_or(NOWHERE)).collect()
+    }
+
+    /// The derivatives of [`SolvedRegion::images`].
+    fn slopes(&self, points: &[Complex64], turn: Complex64) -> Vec<Complex64> {
+        let slope = |(point, slope): (DiskPoint, Complex64)| turn * slope * self.flat_slope(point);
+        points.iter().map(|&z| self.to_disk_with_slope(z).map_or(NOWHERE, slope)).collect()
+    }
+
+    /// Writes the jets of [`SolvedRegion::images`].
+    fn jets(&self, points: &[Complex64], turn: Complex64, jets: &mut [Jet]) {
+        pointwise(points, jets, |z| {
+            let (point, slope) = self.to_disk_with_slope(z)?;
+            Some(Jet::analytic(onto_disk(turn * self.flat(point)), turn * slope * self.flat_slope(point)))
+        });
+    }
+
+    /// Writes the jets of [`SolvedRegion::places`].
+    fn inverse_jets(&self, images: &[Complex64], turn: Complex64, jets: &mut [Jet]) {
+        let back = turn.conj();
+        pointwise(images, jets, |w| {
+            let (z, slope) = self.from_disk_with_slope(DiskPoint::flat(back * w))?;
+            Some(Jet::analytic(z, back * slope))
+        });
     }
 
     /// A place where parts of the region are crowded together most, if that had to be accepted anywhere.

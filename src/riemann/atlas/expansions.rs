@@ -94,11 +94,11 @@ impl Expansions {
         if point.chart == 0 { Complex64::ONE } else { self.atlas.link(0, point.chart).slope(point.w) }
     }
 
-    /// The point as a number.
+    /// The point of the closed disk as a number.
     #[inline]
     #[must_use]
     pub fn flat(&self, point: DiskPoint) -> Complex64 {
-        onto_disk(if point.chart == 0 { point.w } else { self.atlas.link(0, point.chart).apply(point.w) })
+        if point.chart == 0 { point.w } else { onto_disk(self.atlas.link(0, point.chart).apply(point.w)) }
     }
 
     /// Disk → region; `None` outside the closed disk.
