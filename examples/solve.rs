@@ -1,4 +1,4 @@
-//! Solves the regions of JSON files and prints what their maps say, as JSON: `cargo run --example solve -- FILE …`
+//! Solves the regions of JSON files to 1e-10 and prints what their maps say, as JSON: `cargo run --example solve -- FILE …`
 //!
 //! A file has `vertices`, `center` and `toward`, points as `[x, y]`, as those of `tests/fixtures` do.
 
@@ -41,7 +41,8 @@ mod native {
         let given: Given = serde_json::from_str(&std::fs::read_to_string(file)?)?;
         let boundary: Vec<_> = given.vertices.into_iter().map(point).collect();
         let region = Region::new(&boundary, Curve::Polygon, point(given.center), point(given.toward))?;
-        let map = RiemannMap::solve(&region, &SolveOptions::default(), &mut |_, _| true)?;
+        let options = SolveOptions { tolerance: 1e-10, ..SolveOptions::default() };
+        let map = RiemannMap::solve(&region, &options, &mut |_, _| true)?;
         let midpoints: Vec<_> = region.boundary().iter().map(|v| 0.5 * (v + region.center())).collect();
         Ok(Answer {
             conformal_radius: map.conformal_radius(),

@@ -111,7 +111,8 @@ test("gaze, angle and model change the picture, and the address holds them", asy
   await page.mouse.move(0, 0);
   const panel = await middle(page.locator("#cortex"));
   await page.mouse.move(panel.x + 60, panel.y);
-  assert.match(await page.locator("#reading").innerText(), /looks [\d.]+° away .* gives [\d.]+ mm to each degree/);
+  const reading = () => /looks [\d.]+° away .* gives [\d.]+ mm to each degree/.test(document.getElementById("reading")?.textContent ?? "");
+  await page.waitForFunction(reading);
   assert.deepEqual(errors, []);
   await close();
 });
@@ -215,7 +216,7 @@ test("an outline is drawn, read from text and turned by its landmark", async () 
   await page.mouse.down();
   await page.mouse.move(place.x, place.y - 200, { steps: 3 });
   await page.mouse.up();
-  assert.match(await note.innerText(), /must lie inside/);
+  await page.waitForFunction(() => /must lie inside/.test(document.querySelectorAll(".note")[1]?.textContent ?? ""));
   assert.deepEqual(errors, []);
   await close();
 });

@@ -35,7 +35,8 @@ test("a map solved in wasm has the native map's numbers to 1e-12", async () => {
   const native = JSON.parse(execFileSync("cargo", ["run", "--quiet", "--example", "solve", "--", ...files], options));
   files.forEach((file, k) => {
     const region = regionIn(file);
-    const map = RiemannMap.solve(region);
+    // As the example. At looser tolerances a panel may be halved or not by the last digit of its residual.
+    const map = RiemannMap.solve(region, { tolerance: 1e-10 });
     assert.equal(map.unknowns, native[k].unknowns, file);
     assert.ok(Math.abs(map.conformalRadius / native[k].conformalRadius - 1) <= 1e-12, `${file}: conformal radius`);
     // 0 and a whole turn are the same angle.

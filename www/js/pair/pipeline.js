@@ -37,7 +37,7 @@ export class RegionsPipeline {
   #to = new SolvedMap();
   #roughFrom = new SolvedMap();
   #roughTo = new SolvedMap();
-  /** The map between both regions, where the last picture has no mesh. @type {RegionMap | null} */
+  /** The map between both regions of the last picture. @type {RegionMap | null} */
   #between = null;
 
   /** @param {Uint8ClampedArray} pixels @param {Frame} frame */
@@ -54,6 +54,8 @@ export class RegionsPipeline {
     this.#forget();
     const from = this.#from.solve(job.from, job.tolerance, (stage, share) => talk.progress(stage, share / 3));
     const to = this.#to.solve(job.to, job.tolerance, (stage, share) => talk.progress(stage, (1 + share) / 3));
+    // Also where there is a mesh: whoever draws finely may have none, and ask here.
+    this.#between = RegionMap.between(from.map, to.map);
     const begin = performance.now();
     const joint = this.#triangulate(from, to, job);
     const meshed = performance.now();
@@ -62,7 +64,6 @@ export class RegionsPipeline {
     if (joint) {
       pixels = joint.warp(texture, { texture: frame, view, direction: "push-forward", quality: "trilinear" });
     } else {
-      this.#between = RegionMap.between(from.map, to.map);
       pixels = await pointByPoint(this.#between, texture, frame, view, talk);
     }
     const mesh = joint && { source: joint.source, target: joint.target, triangles: joint.triangles };
