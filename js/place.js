@@ -30,7 +30,7 @@ export function beside(address) {
 
 function fromWorkingFolder() {
   const { pathToFileURL } = builtin("node:url") ?? {};
-  const installed = pathToFileURL && findInstalled(pathToFileURL(`${process.cwd()}/bundle.js`).href);
+  const installed = pathToFileURL && findInstalled(pathToFileURL(`${globalThis.process.cwd()}/bundle.js`).href);
   if (installed && pathToFileURL) return pathToFileURL(installed);
   const message = 'The bundle does not say where it lies: give init() the module, or import "conformal-warp/inline".';
   throw failure("load-failed", message);

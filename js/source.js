@@ -82,14 +82,14 @@ export function findInstalled(from) {
 }
 
 /**
- * A module of Node's own: an import of it would be an error in bundles for browsers.
+ * A module of Node's own: an import of it would be an error in bundles for browsers, and so would a bare `process` for Parcel.
  *
  * @template {"node:fs" | "node:module" | "node:os" | "node:url" | "node:worker_threads"} Name
  * @param {Name} name
  * @returns {ReturnType<typeof process.getBuiltinModule<Name>> | undefined}
  */
 export function builtin(name) {
-  return typeof process === "undefined" ? undefined : process.getBuiltinModule?.(name);
+  return globalThis.process?.getBuiltinModule?.(name);
 }
 
 /** @param {unknown} value @returns {value is Response} */

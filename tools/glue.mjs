@@ -20,12 +20,12 @@ export function adaptGlue(generated) {
 
 const ADDED = `
 function textDecoder() {
-    const { TextDecoder: Decoder } = globalThis.TextDecoder ? globalThis : process.getBuiltinModule("node:util");
+    const { TextDecoder: Decoder } = globalThis.TextDecoder ? globalThis : globalThis.process.getBuiltinModule("node:util");
     return new Decoder("utf-8", { ignoreBOM: true, fatal: true });
 }
 
 function textEncoder() {
-    const { TextEncoder: Encoder } = globalThis.TextEncoder ? globalThis : process.getBuiltinModule("node:util");
+    const { TextEncoder: Encoder } = globalThis.TextEncoder ? globalThis : globalThis.process.getBuiltinModule("node:util");
     return new Encoder();
 }
 

@@ -104,7 +104,7 @@ test("rollup", async () => {
 test("Parcel", async () => {
   const folder = project("parcel");
   const parcel = program("parcel/lib/bin.js");
-  await run(folder, [process.execPath, parcel, "build", "index.html", "--no-cache", "--no-source-maps", "--public-url", "./"]);
+  await run(folder, [process.execPath, parcel, "build", "index.html", "--no-cache", "--no-source-maps", "--no-autoinstall", "--public-url", "./"]);
   assert.equal(await resultIn(join(folder, "dist")), expected);
 });
 
