@@ -59,8 +59,9 @@ test("the region goes along to another page and comes back as it was left there"
 
 test("Copy link copies the address of what is seen", async () => {
   const { page, errors, close } = await openPage(session, "#shape=star", { permissions: ["clipboard-read", "clipboard-write"] });
+  await page.locator("#save").click();
   await page.locator("#copy-link").click();
-  await page.waitForFunction(() => document.getElementById("copy-link")?.getAttribute("aria-label") === "Link copied");
+  await page.waitForFunction(() => document.getElementById("copy-link")?.textContent === "Copied");
   assert.equal(await page.evaluate(() => navigator.clipboard.readText()), page.url());
   await screenshot(page, "copy-link");
   assert.deepEqual(errors, []);

@@ -1,8 +1,7 @@
-// What goes along from page to page, and is given away: links between the pages, a link to copy, own photos to forget.
+// What goes along from page to page: links between the pages, own photos to forget.
 
 import { forgetOwn, ownPictures } from "./images.js";
-import { attempt, element, remark } from "./page.js";
-import { set, svg } from "./svg.js";
+import { attempt, remark } from "./page.js";
 
 /** What goes along: the fields of a drawing, or of a photo alone; none where they are as at first. @typedef {Record<string, string>} Fields */
 
@@ -13,8 +12,8 @@ const prefixOf = (page) => (page === "regions.html" ? "a." : "");
 const draws = (page) => page === "" || page === "regions.html";
 const DRAWING = ["image", "region", "center", "toward"];
 
-/** @param {string} address */
-const pageOf = (address) => {
+/** The name of a page of ours; "" for the first. @param {string} address */
+export const pageOf = (address) => {
   const name = new URL(address, location.href).pathname.split("/").at(-1) ?? "";
   return PAGES.includes(name) ? name : "";
 };
@@ -39,7 +38,7 @@ export function addressFor(last, fields, page) {
   return address.toString().replaceAll("%2C", ",").replaceAll("%3B", ";");
 }
 
-/** Connects the links between the pages and the buttons that every page has. @param {() => Fields} fields of what is shown now */
+/** Connects the links between the pages, and the button that forgets photos. @param {() => Fields} fields of what is shown now */
 export function goAlong(fields) {
   const own = pageOf(location.href);
   window.addEventListener("pagehide", () => sessionStorage.setItem(keyOf(own), location.hash.slice(1)));
@@ -51,30 +50,7 @@ export function goAlong(fields) {
     };
     for (const event of ["pointerdown", "focus", "click"]) link.addEventListener(event, lead);
   }
-  offerLink();
   offerToForget();
-}
-
-/** A chain's link, and a tick once it is done. */
-const CHAIN = "M8.5 11.5a3 3 0 0 0 4.3 0l3-3a3 3 0 0 0-4.3-4.3l-1 1M11.5 8.5a3 3 0 0 0-4.3 0l-3 3a3 3 0 0 0 4.3 4.3l1-1";
-const TICK = "m4 10.5 4 4 8-9";
-
-function offerLink() {
-  const shape = svg("path", { d: CHAIN });
-  const button = Object.assign(document.createElement("button"), { type: "button", id: "copy-link", className: "icon", title: "Copy the link to what you see; your own photos are not in it" });
-  button.append(svg("svg", { viewBox: "0 0 20 20", "aria-hidden": "true" }, [shape]));
-  /** @param {string} label @param {string} d */
-  const show = (label, d) => {
-    button.setAttribute("aria-label", label);
-    set(shape, { d });
-  };
-  show("Copy link", CHAIN);
-  button.onclick = () =>
-    attempt(navigator.clipboard.writeText(location.href), () => {
-      show("Link copied", TICK);
-      setTimeout(() => show("Copy link", CHAIN), 1500);
-    });
-  element("save").after(button);
 }
 
 function offerToForget() {

@@ -22,7 +22,7 @@ export function drawnCanvas([width, height], draw) {
 }
 
 /** Device pixels a CSS pixel. */
-const density = () => window.devicePixelRatio || 1;
+export const density = () => window.devicePixelRatio || 1;
 
 /** No picture has more pixels along a side: a screen shows no more. */
 const MOST = 1600;
@@ -56,6 +56,9 @@ export function canvasOf(pixels, size) {
   return canvas;
 }
 
+/** How much thicker lines are on a projector. */
+const boldness = () => (document.body.classList.contains("projector") ? 2 : 1);
+
 /** A canvas sized to its box in device pixels, cleared, with the frame to draw in. */
 export class Layer {
   #canvas;
@@ -73,7 +76,7 @@ export class Layer {
     if (this.#canvas.width !== width) this.#canvas.width = width;
     if (this.#canvas.height !== height) this.#canvas.height = height;
     this.#context.clearRect(0, 0, width, height);
-    return { context: this.#context, frame: onGrid(frame, [width, height]), density: density() };
+    return { context: this.#context, frame: onGrid(frame, [width, height]), density: density() * boldness() };
   }
 }
 

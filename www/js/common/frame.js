@@ -42,6 +42,12 @@ export function onGrid(frame, pixels) {
   return { ...frame, pixels };
 }
 
+/** The same, with so many pixels along the longer side. @param {Frame} frame @param {number} side @returns {Frame} */
+export function scaledTo(frame, side) {
+  const scale = side / Math.max(...frame.pixels);
+  return { ...frame, pixels: [Math.max(1, Math.round(frame.pixels[0] * scale)), Math.max(1, Math.round(frame.pixels[1] * scale))] };
+}
+
 /** The frame of the unit disk's picture. @param {number} side pixels @returns {Frame} */
 export function diskFrame(side) {
   return { center: [0, 0], width: DISK_WIDTH, pixels: [side, side] };

@@ -14,6 +14,7 @@ import { photos } from "./photos.js";
  * @property {Uint8ClampedArray} pixels RGBA, what is warped
  * @property {import("./frame.js").Frame} frame
  * @property {Blob} [file] the picture itself, where it is larger than what is kept
+ * @property {[number, number]} [fullSize] pixels of the file, where it is larger
  */
 
 /** The longest side that is kept: beyond it a screen shows no more. */
@@ -29,6 +30,9 @@ const own = new Map((await keptPhotos()).map((photo) => [photo.id, photo]));
 
 /** Ids and titles of the visitor's own photos. */
 export const ownPictures = () => [...own.values()].map(({ id, title }) => ({ id, title }));
+
+/** A visitor's own photo as it came; undefined for others. @param {string} id */
+export const ownFile = (id) => own.get(id);
 
 /** Forgets the visitor's own photos; one that is shown stays. */
 export async function forgetOwn() {
@@ -98,7 +102,7 @@ async function decodePicture(id, title, blob) {
   const [width, height] = size.map((side) => Math.max(1, Math.round(side * scale)));
   const drawn = drawnCanvas([width, height], (context) => context.drawImage(image, 0, 0, width, height));
   close();
-  return { id, title, ...drawn, frame: photoFrame(width, height), ...(scale < 1 && { file: blob }) };
+  return { id, title, ...drawn, frame: photoFrame(width, height), ...(scale < 1 && { file: blob, fullSize: size }) };
 }
 
 /** @typedef {{ image: CanvasImageSource, size: [number, number], close: () => void }} Decoded */

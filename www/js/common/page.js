@@ -85,13 +85,3 @@ export function showEvidence(rows) {
     }),
   );
 }
-
-/** Saves a canvas's picture as a file. @param {HTMLCanvasElement} canvas @param {string} name */
-export function saveCanvas(canvas, name) {
-  canvas.toBlob((blob) => {
-    if (!blob) return remark("The picture could not be saved: it is too large for this browser.");
-    const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-  }, "image/png");
-}

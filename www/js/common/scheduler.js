@@ -26,6 +26,12 @@ const DRAFT = { tolerance: 1e-3, maxErrorPixels: 2, sharpness: 0.5 };
 /** @type {Care} */
 const FINE = { tolerance: 1e-8, maxErrorPixels: 0.35, sharpness: 1 };
 
+/** How carefully a picture is drawn that is saved: triangles need not be finer than on the largest screen. @param {import("./frame.js").Point} pixels @returns {Omit<Care, "sharpness">} */
+export const careFor = (pixels) => ({ tolerance: FINE.tolerance, maxErrorPixels: FINE.maxErrorPixels * Math.max(1, Math.max(...pixels) / SCREEN) });
+
+/** Pixels of a large screen. */
+const SCREEN = 2560;
+
 /** A hand that has not moved for this long rests, in milliseconds. */
 const REST = 200;
 /** Progress is shown of what takes longer than this, in milliseconds. */

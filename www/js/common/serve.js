@@ -1,13 +1,16 @@
 // The worker's end of a lane: pictures, jobs and questions come in; results, progress and errors go out.
 
 import init from "../../pkg/index.js";
+import { fileOf, inFull } from "./plate.js";
 
 /** @typedef {import("./frame.js").Frame} Frame */
 /** Anything that belongs to one state of the page. @typedef {{ version: number }} Versioned */
 /** `file` holds the picture larger than `pixels`. @typedef {{ pixels: Uint8ClampedArray, frame: Frame, file?: Blob }} PictureMessage */
 /** @typedef {Versioned & { code: string, message: string, position?: number }} Failure */
 /** @typedef {(stage: string, fraction: number) => void} Progress */
-/** @typedef {{ picture: PictureMessage } | { job: any } | { question: any, id: number } | { hurry: true }} Message */
+/** @typedef {{ picture: PictureMessage } | { job: any } | { question: any, id: number } | { hurry: true } | { save: Order<any> }} Message */
+/** A file that is wanted of a job's picture, once. @template J @typedef {{ job: J, picture: PictureMessage, wanted: import("./plate.js").Wanted }} Order */
+/** @typedef {{ file: Blob } | { share: number } | { refusal: string }} Saved */
 /**
  * @template R
  * @typedef {{ result: R } | { partial: R } | { failure: Failure } | { progress: Versioned & { fraction: number } } | { answer: any, id: number } | { broken: string }} Reply
@@ -30,6 +33,7 @@ import init from "../../pkg/index.js";
  * @property {(pixels: Uint8ClampedArray, frame: Frame, file?: Blob) => void} setPicture
  * @property {(job: J, talk: Talk<R>) => Done<R> | Promise<Done<R>>} run
  * @property {(question: any) => any} [answer]
+ * @property {(job: any, onShare: (share: number) => void) => Promise<import("./plate.js").Plate>} [plate] what can be saved of a job, which then says more
  */
 
 /** A job that nobody waits for any more. */
@@ -67,10 +71,30 @@ export function serveJobs(pipeline) {
   self.onmessage = async (/** @type {MessageEvent<Message>} */ { data }) => {
     if (!(await ready)) return;
     if ("hurry" in data) hurried = true;
+    else if ("save" in data) await save(pipeline, data.save);
     else if ("picture" in data) pipeline.setPicture(data.picture.pixels, data.picture.frame, data.picture.file);
     else if ("question" in data) post({ answer: attempt(() => pipeline.answer?.(data.question)), id: data.id });
     else await run(data.job);
   };
+}
+
+/** The share of a file's time that goes into what must be known before it can be drawn. */
+const PREPARING = 0.25;
+
+/** Answers an order with a file. @template {Versioned} J @param {Pipeline<J, any>} pipeline @param {Order<J>} order */
+async function save(pipeline, { job, picture, wanted }) {
+  /** @param {Saved} reply */
+  const post = (reply) => self.postMessage(reply);
+  try {
+    const { pixels, frame, file } = await inFull(picture);
+    pipeline.setPicture(pixels, frame, file);
+    const plate = await pipeline.plate?.(job, (share) => post({ share: PREPARING * share }));
+    if (!plate) throw new Error("This page gives no such file.");
+    post({ file: await fileOf(plate, wanted, (share) => post({ share: PREPARING + (1 - PREPARING) * share })) });
+    plate.free();
+  } catch (error) {
+    post({ refusal: error instanceof Error ? error.message : String(error) });
+  }
 }
 
 /** What a question is worth: an answer, or none. @template T @param {() => T} work @returns {T | null} */

@@ -1,15 +1,17 @@
 // The page of the visual cortex: a photo that is looked at, and what both hemispheres receive of it by two maps.
 
 import { wrongWords } from "../common/address.js";
+import { offerAlone } from "../common/alone.js";
 import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
 import { toPlane } from "../common/frame.js";
 import { History } from "../common/history.js";
 import { addPicture, loadPicture } from "../common/images.js";
 import { onEscape, onUndoKeys } from "../common/keys.js";
-import { attempt, element, pictureFor, press, remark, saveCanvas, statusOfPage, watchErrors } from "../common/page.js";
+import { attempt, element, pictureFor, press, remark, statusOfPage, watchErrors } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
 import { Probe } from "../common/probe.js";
+import { offerToSave } from "../common/save-menu.js";
 import { Scheduler } from "../common/scheduler.js";
 import { pixelOf } from "../common/svg.js";
 import { Camera } from "./camera.js";
@@ -53,8 +55,9 @@ let visiting = false;
 let places = 0;
 
 const seen = new SeenView(element("seen"), element("seen-marks"));
+const script = new URL("./worker.js", import.meta.url);
 /** @type {Scheduler<Job, Result>} */
-const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), { ...statusOfPage, onResult, failureWords: ({ message }) => message }, 1);
+const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWords: ({ message }) => message }, 1);
 const askForOutline = outlineDialog((text, scale) => scheduler.ask({ what: "outline", text, scale }), useOutline);
 const panels = ["Map of V1", "Map beside it"].map((label, k) => new CortexPanel(makeFigure(k), label, wishesOf(k)));
 const probes = panels.map(({ view }, panel) => {
@@ -202,7 +205,16 @@ function connect() {
   element("reset").onclick = () => store.commit({ ...USUAL, image: store.value.image, fixation: firstGaze(store.value.image) });
   element("camera").onclick = switchCamera;
   element("stop").onclick = () => scheduler.stop();
-  element("save").onclick = () => saveCanvas(panels[0].view.canvas, "cortex.png");
+  offerToSave({
+    name: "cortex",
+    script,
+    picture: () => picture,
+    shape: () => panels[0].view.frame.pixels,
+    job: ([columns], kind) => ({ ...jobOf({ tolerance: 0, maxErrorPixels: 0, sharpness: 1 }), columns, live: null, lines: store.value.lines || kind === "drawing", circles: store.value.circles }),
+    drawing: "the upper cortex: outlines and rings",
+    address: () => encode(store.value),
+  });
+  offerAlone(() => refresh(false));
   const file = /** @type {HTMLInputElement} */ (element("file"));
   element("open").onclick = () => file.click();
   acceptFiles(file, element("seen-stage"), (chosen) => open(addPicture(chosen)));

@@ -3,7 +3,7 @@
 import { FoveatedTexture, Region, RetinoCorticalMap, Texture } from "../../pkg/index.js";
 import { flatten, unflatten } from "../common/frame.js";
 import { GRID, onSide, SMALL_CIRCLES } from "./field.js";
-import { hemisphereFrames, NO_HALF } from "./layout.js";
+import { hemisphereFrames, NO_HALF, panelFrame } from "./layout.js";
 import { cortexOf, finite, HEMISPHERES } from "./maps.js";
 import { POLIMENI } from "./models.js";
 import { specOf } from "./specs.js";
@@ -139,6 +139,39 @@ export class CortexPipeline {
     return warps;
   }
 
+  /** The upper cortex at any size, and its lines, to be saved. @param {Job & { lines: boolean, circles: boolean }} job @returns {Promise<import("../common/plate.js").Plate>} */
+  async plate(job) {
+    if (!this.#picture) throw new Error("There is no picture yet.");
+    const { frame } = this.#picture;
+    const [panel] = this.#look({ ...job, models: [job.models[0]] }, { picture: frame, fieldOfView: job.fieldOfView, fixation: job.fixation });
+    const [eye] = this.#eyes;
+    if (!eye || !("drawn" in panel)) throw new Error("refusal" in panel ? panel.refusal : "There is no map.");
+    const stack = await this.#around(job.fixation, job.columns / 4);
+    if (!stack) throw new Error("There is no picture yet.");
+    const { drawn } = panel;
+    const views = hemisphereFrames(drawn.half, job.columns);
+    const [columns, rows] = views[0].pixels;
+    const view = { ...panelFrame(drawn.half, [2 * columns, rows]) };
+    const mirrored = drawn.outline.map((value, k) => (k % 2 ? value : -value));
+    /** @param {Line[]} lines */
+    const carried = (lines) => lines.map(({ at }) => at);
+    return {
+      frame: view,
+      band: 128,
+      draw: (band) => beside(eye.images.map((image, k) => image.warpFoveated(stack, { texture: frame, view: views[k], quality: "best", rows: band })), columns),
+      panels: [{
+        name: "cortex",
+        frame: view,
+        layers: [
+          ...(job.circles ? [/** @type {import("../common/layers.js").Layer} */ ({ ink: "circles", lines: carried(drawn.circles) })] : []),
+          ...(job.lines ? [/** @type {import("../common/layers.js").Layer} */ ({ ink: "lines", lines: carried(drawn.lines) })] : []),
+          { ink: "rim", lines: [drawn.outline, mirrored], closed: true },
+        ],
+      }],
+      free: () => {},
+    };
+  }
+
   /** What the first panel's cortex keeps of the picture. @param {Texture} texture @param {Frame} frame @param {{ dots: number, view: Frame }} recover */
   #recover(texture, frame, { dots, view }) {
     const [eye] = this.#eyes;
@@ -163,20 +196,31 @@ export class CortexPipeline {
     return Number.isFinite(field[0]) ? { eccentricity: Math.hypot(field[0], field[1]), magnification: map.magnification(field)[0] } : null;
   }
 
-  /** The picture with full detail around the fixation point. @param {Point} fixation */
-  async #around(fixation) {
+  /** The picture with full detail around the fixation point. @param {Point} fixation @param {number} [least] pixels along each side of a level */
+  async #around(fixation, least = 0) {
     const picture = this.#picture;
     if (!picture) return null;
     const known = this.#foveated;
     if (known && known.fixation[0] === fixation[0] && known.fixation[1] === fixation[1]) return known.texture;
     const bitmap = await this.#large?.catch(() => null);
+    const side = Math.max(SIDE, Math.round(least));
     const texture = bitmap
-      ? cutFrom(bitmap, picture.frame, fixation)
-      : new FoveatedTexture(picture.pixels, { picture: picture.frame, fixation, side: SIDE });
+      ? cutFrom(bitmap, picture.frame, fixation, side)
+      : new FoveatedTexture(picture.pixels, { picture: picture.frame, fixation, side });
     known?.texture.free();
     this.#foveated = { fixation, texture };
     return texture;
   }
+}
+
+/** Two pictures of a width as one. @param {Uint8ClampedArray[]} pictures @param {number} columns of each */
+function beside([left, right], columns) {
+  const both = new Uint8ClampedArray(2 * left.length);
+  for (let from = 0, row = 4 * columns; from < left.length; from += row) {
+    both.set(left.subarray(from, from + row), 2 * from);
+    both.set(right.subarray(from, from + row), 2 * from + row);
+  }
+  return both;
 }
 
 /** @param {import("./layout.js").Half[]} halves */
@@ -236,23 +280,23 @@ function parseOutline(text, scale) {
   }
 }
 
-/** The crops of a picture that is too large to be held as pixels: the browser scales each. @param {ImageBitmap} bitmap @param {Frame} frame @param {Point} fixation */
-function cutFrom(bitmap, frame, fixation) {
+/** The crops of a picture that is too large to be held as pixels: the browser scales each. @param {ImageBitmap} bitmap @param {Frame} frame @param {Point} fixation @param {number} size pixels along each side of a level */
+function cutFrom(bitmap, frame, fixation, size) {
   const { width, height } = bitmap;
   const picture = { ...frame, pixels: /** @type {Point} */ ([width, height]) };
-  const context = new OffscreenCanvas(SIDE, SIDE).getContext("2d", { willReadFrequently: true });
+  const context = new OffscreenCanvas(size, size).getContext("2d", { willReadFrequently: true });
   if (!context) throw new Error("This browser gives no 2d canvas.");
   context.imageSmoothingQuality = "high";
   /** @type {FoveatedTexture | undefined} */
   let stack;
-  for (const crop of FoveatedTexture.crops({ picture, fixation, side: SIDE })) {
+  for (const crop of FoveatedTexture.crops({ picture, fixation, side: size })) {
     const scale = width / frame.width;
     const side = crop.width * scale;
     const left = (crop.center[0] - frame.center[0]) * scale + width / 2 - side / 2;
     const top = height / 2 - (crop.center[1] - frame.center[1]) * scale - side / 2;
-    context.clearRect(0, 0, SIDE, SIDE);
-    context.drawImage(bitmap, left, top, side, side, 0, 0, SIDE, SIDE);
-    const texture = Texture.fromImageData(context.getImageData(0, 0, SIDE, SIDE));
+    context.clearRect(0, 0, size, size);
+    context.drawImage(bitmap, left, top, side, side, 0, 0, size, size);
+    const texture = Texture.fromImageData(context.getImageData(0, 0, size, size));
     if (stack) stack.add(texture, crop);
     else stack = FoveatedTexture.of(texture, crop);
     texture.free();

@@ -1,13 +1,15 @@
 // The page: connects the state, the two panels, the solver and the controls.
 
 import { readAddress, wrongWords } from "../common/address.js";
+import { offerAlone } from "../common/alone.js";
 import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
-import { flatten } from "../common/frame.js";
+import { flatten, onGrid } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
-import { attempt, element, pictureFor, remark, saveCanvas, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
+import { attempt, element, pictureFor, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
 import { Probe } from "../common/probe.js";
-import { Scheduler } from "../common/scheduler.js";
+import { offerToSave } from "../common/save-menu.js";
+import { careFor, Scheduler } from "../common/scheduler.js";
 import { documentOf } from "../editor/document.js";
 import { Editor } from "../editor/edit.js";
 import { failureWords, probeWords, rows } from "../editor/evidence.js";
@@ -15,8 +17,8 @@ import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
 import { defaultRegion, photoRegion, shapeRegion } from "../editor/presets.js";
 import { makeRegion, towardPoint } from "../editor/region.js";
-import { Store } from "../editor/store.js";
-import { drawingFields, drawingSchema, encodeDrawing, shownSchema } from "../editor/url.js";
+import { NOTHING_SHOWN, Store } from "../editor/store.js";
+import { drawingFields, drawingSchema, encodeDrawing, encodeShown, shownOf, shownSchema } from "../editor/url.js";
 import { Controls } from "./controls.js";
 import { DiskView } from "./disk-view.js";
 import { Outcome } from "./outcome.js";
@@ -39,10 +41,11 @@ let visiting = false;
 
 const photoView = new PhotoView(element("photo"), element("photo-marks"), () => refresh(false, false));
 const diskView = new DiskView(element("disk"), element("disk-lines"), element("disk-marks"), () => refresh(true, true));
+const script = new URL("./worker.js", import.meta.url);
 /** @type {Scheduler<import("./pipeline.js").Job, import("./pipeline.js").Result>} */
-const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), { ...statusOfPage, onResult, failureWords });
+const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWords });
 
-const store = new Store({ image: FIRST_PHOTO, region: photoRegion(FIRST_PHOTO) }, { mesh: false, grid: false });
+const store = new Store({ image: FIRST_PHOTO, region: photoRegion(FIRST_PHOTO) }, NOTHING_SHOWN);
 const editor = new Editor(store, photoView);
 const pen = new Pen({
   view: photoView,
@@ -66,7 +69,6 @@ const controls = new Controls(store, {
     const region = outcome && upright(store.doc.region, outcome.locator);
     if (region) store.commit({ region });
   },
-  save: () => saveCanvas(element("disk"), "disk.png"),
   stop: () => scheduler.stop(),
 });
 
@@ -78,6 +80,16 @@ async function start() {
   store.shown = shown;
   store.subscribe(onChange);
   acceptFiles(element("file"), element("photo-stage"), (file) => openPicture(addPicture(file)));
+  offerToSave({
+    name: "disk",
+    script,
+    picture: () => picture,
+    shape: () => diskView.frame.pixels,
+    job: (pixels, kind) => ({ ...fieldsOf(store.doc), ...careFor(pixels), view: onGrid(diskView.frame, pixels), show: showOf(kind === "drawing") }),
+    drawing: "outline, triangles, vector and grid, on both sides",
+    address,
+  });
+  offerAlone(() => refresh(true, false));
   goAlong(() => drawingFields(store.doc, { image: FIRST_PHOTO, region: photoRegion(FIRST_PHOTO) }));
   window.addEventListener("hashchange", visit);
   new ResizeObserver(onResize).observe(element("panels"));
@@ -99,13 +111,11 @@ async function visit() {
 /** The state that an address asks for; its picture is loaded, and what is wrong with it is said. @param {string} hash */
 async function read(hash) {
   const { values, wrong } = readAddress(hash, { ...drawingSchema, ...shownSchema });
-  const { show, ...fields } = values;
+  const { show, density, ...fields } = values;
   remark(wrongWords(wrong));
   picture = await pictureFor(fields.image ?? store.doc.image);
   const doc = documentOf(fields, store.doc, () => picture.frame);
-  const told = show ?? (fields.region ? [] : null);
-  const shown = told ? { mesh: told.includes("mesh"), grid: told.includes("grid") } : store.shown;
-  return { doc, shown, wrong };
+  return { doc, shown: shownOf({ show: show ?? (fields.region ? [] : undefined), density }, store.shown), wrong };
 }
 
 /** @param {Promise<Picture>} loading */
@@ -126,7 +136,7 @@ function replaceRegion(region) {
 /** @param {import("../common/history.js").Change} change */
 async function onChange(change) {
   if (picture.id !== store.doc.image) picture = await pictureFor(store.doc.image);
-  refresh(change === "drag" || change === "commit", change === "drag");
+  refresh(change === "drag" || change === "commit" || change === "view", change === "drag");
   if (change !== "drag" && change !== "mode" && !visiting) remember();
 }
 
@@ -140,13 +150,23 @@ function refresh(solving, dragging) {
 
 /** @param {boolean} dragging */
 function solve(dragging) {
-  const { region } = store.doc;
-  const fields = { boundary: flatten(region.boundary), center: region.center, toward: towardPoint(region) };
+  const [fields, show] = [fieldsOf(store.doc), showOf(false)];
   scheduler.run(
-    ({ tolerance, maxErrorPixels, sharpness }) => ({ ...fields, tolerance, maxErrorPixels, view: diskView.view(sharpness) }),
+    ({ tolerance, maxErrorPixels, sharpness }) => ({ ...fields, tolerance, maxErrorPixels, view: diskView.view(sharpness), show }),
     picture,
     dragging,
   );
+}
+
+/** A region as jobs carry it. @param {Document} doc */
+function fieldsOf({ region }) {
+  return { boundary: flatten(region.boundary), center: region.center, toward: towardPoint(region) };
+}
+
+/** What is to be found out besides the picture. @param {boolean} all that a drawing has, shown or not */
+function showOf(all) {
+  const { mesh, grid, field, heat, measure, density } = store.shown;
+  return { mesh: mesh || all, grid: grid || field || all ? { field, density } : null, heat, measure };
 }
 
 function layOut() {
@@ -157,12 +177,8 @@ function layOut() {
 }
 
 function draw() {
-  const { mesh, grid } = store.shown;
-  photoView.draw(picture, store, {
-    dim: DIM,
-    mesh: mesh && outcome ? { points: outcome.result.mesh.source, edges: outcome.edges } : undefined,
-    lines: grid && outcome ? outcome.grid : undefined,
-  });
+  const { shown } = store;
+  photoView.draw(picture, store, { dim: DIM, heat: outcome?.heat("source", shown), over: outcome?.layers("source", shown) });
   diskView.draw(store.shown, outcome, store.doc.region.boundary[store.selected ?? -1]);
   controls.update(picture);
 }
@@ -179,9 +195,12 @@ function onResize() {
 
 /** The state, in the address. */
 function remember() {
-  const { mesh, grid } = store.shown;
-  const layers = [...(mesh ? ["mesh"] : []), ...(grid ? ["grid"] : [])];
-  history.replaceState(null, "", `#${encodeDrawing(store.doc)}${layers.length ? `&show=${layers.join(",")}` : ""}`);
+  history.replaceState(null, "", `#${address()}`);
+}
+
+/** The state, as the address has it. */
+function address() {
+  return encodeDrawing(store.doc) + encodeShown(store.shown);
 }
 
 /** @param {import("./pipeline.js").Result} result @param {boolean} done */

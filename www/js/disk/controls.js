@@ -13,7 +13,6 @@ import { shapes } from "../editor/presets.js";
  * @property {() => void} remove
  * @property {() => void} reset
  * @property {() => void} upright
- * @property {() => void} save
  * @property {() => void} stop
  * @property {(id: string) => void} photo
  * @property {(name: string) => void} shape
@@ -29,12 +28,12 @@ export class Controls {
   #store;
   #photo;
   /** @type {HTMLSelectElement} */ #shape = find("choose-shape");
-  #buttons = findAll("draw", "remove", "undo", "redo", "reset", "mesh", "grid", "upright", "save", "open", "stop");
+  #buttons = findAll("draw", "remove", "undo", "redo", "reset", "mesh", "grid", "upright", "open", "stop");
 
   /** @param {Store} store @param {Actions} actions */
   constructor(store, actions) {
     this.#store = store;
-    const { draw, remove, undo, redo, reset, mesh, grid, upright, save, open, stop } = this.#buttons;
+    const { draw, remove, undo, redo, reset, mesh, grid, upright, open, stop } = this.#buttons;
     this.#photo = new PhotoChoice(find("choose-photo"), actions.photo);
     this.#shape.append(...[...shapes].map(([name, { title }]) => new Option(title, name)));
     this.#shape.onchange = () => {
@@ -45,7 +44,6 @@ export class Controls {
     remove.onclick = actions.remove;
     reset.onclick = actions.reset;
     upright.onclick = actions.upright;
-    save.onclick = actions.save;
     stop.onclick = actions.stop;
     undo.onclick = () => store.undo();
     redo.onclick = () => store.redo();

@@ -2,8 +2,8 @@
 
 import { deviceGrid, Layer, paint } from "../common/canvas.js";
 import { diskFrame, onGrid, scaleOf, toPixels } from "../common/frame.js";
-import { drawMesh, drawPolarGrid } from "../editor/overlay.js";
-import { RAYS, RINGS } from "./polar.js";
+import { drawLayers } from "../common/layers.js";
+import { drawWithin } from "../editor/photo-view.js";
 import { match, set, svg } from "../common/svg.js";
 import { Zoom } from "../common/zoom.js";
 import { markVector, updateVector } from "../editor/vector.js";
@@ -71,7 +71,8 @@ export class DiskView {
       set(element, { cx, cy, class: chosen ? "corner selected" : "corner" });
     });
     if (!outcome) return;
-    if (shown.mesh) drawMesh(drawing, outcome.result.mesh.target, outcome.edges);
-    if (shown.grid) drawPolarGrid(drawing, RINGS, RAYS);
+    const heat = outcome.heat("target", shown);
+    if (heat) drawWithin(drawing, heat.picture, heat.frame);
+    drawLayers(drawing, outcome.layers("target", shown));
   }
 }

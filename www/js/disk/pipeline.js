@@ -1,8 +1,10 @@
 // From a drawn region to a picture of the disk: the page's only way through the package, wherever it runs.
 
 import { JointTriangulation, Texture } from "../../pkg/index.js";
-import { diskFrame } from "../common/frame.js";
+import { diskFrame, scaledTo } from "../common/frame.js";
+import { arrowLines, meshEdges } from "../common/layers.js";
 import { SolvedMap } from "../editor/solved-map.js";
+import { CIRCLE_FENCE, circleLine, diskLines, fenceOf, heatOf, regionLines } from "./field.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -17,21 +19,36 @@ import { SolvedMap } from "../editor/solved-map.js";
  * @property {number} tolerance of the solve
  * @property {number} maxErrorPixels how far the triangles may be off the map, in pixels of the view
  * @property {Frame} view
+ * @property {{ mesh: boolean, grid: Grid | null, heat: boolean, measure: boolean }} show
  */
+/** What the map says on one side: lines of the grid, the measure's fence, |f'| as colours. @typedef {{ lines: Float64Array[], fence: Float64Array | null, heat: { pixels: Pixels, frame: Frame } | null }} Over */
+/** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
+/** @typedef {import("./field.js").Grid} Grid */
+/** @typedef {import("../common/layers.js").Layer} Layer */
+/** @typedef {import("../common/plate.js").Plate} Plate */
 /** @typedef {import("../editor/locate.js").Mesh} Mesh */
 /** @typedef {import("../editor/evidence.js").DiskEvidence} Evidence */
 /**
  * @typedef {object} Result
  * @property {number} version
- * @property {Uint8ClampedArray<ArrayBuffer>} pixels
+ * @property {Pixels} pixels
  * @property {Frame} view
  * @property {Mesh} mesh
+ * @property {{ source: Over, target: Over }} over
  * @property {Float64Array} corners the boundary as the library keeps it: counter-clockwise
  * @property {Float64Array} angles of the corners, on the circle
  * @property {Evidence} evidence
  */
 
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
+/** Pixels of |f'| as colours, along the longer side of the region. */
+const [DRAFT_HEAT, FINE_HEAT] = [96, 320];
+/** Rows that are drawn at once where a picture is saved. */
+const BAND = 256;
+/** An arrow's head, as a share of the width. */
+const HEAD = 0.02;
+const PUSHED = { direction: /** @type {const} */ ("push-forward") };
+const CIRCLE = circleLine(1);
 /** Meshes are not made finer than for a view so wide. */
 const MESH_WIDTH = 0.5;
 
@@ -59,11 +76,13 @@ export class RegionPipeline {
     const pixels = mesh.warp(texture, { texture: frame, view: job.view, direction: "push-forward", quality: "trilinear" });
     const warpMs = performance.now() - begin;
     const { source, target, triangles } = mesh;
+    const over = this.#over(job, map, corners, mesh);
     /** @type {Result} */
     const result = {
       version: job.version,
-      pixels: /** @type {Uint8ClampedArray<ArrayBuffer>} */ (pixels),
+      pixels: /** @type {Pixels} */ (pixels),
       view: job.view,
+      over,
       mesh: { source, target, triangles },
       corners,
       angles: map.angles,
@@ -82,6 +101,46 @@ export class RegionPipeline {
     return { result, transfer: [pixels, source, target, triangles].map(({ buffer }) => buffer) };
   }
 
+  /** What is shown over the pictures. @param {Job} job @param {RiemannMap} map @param {Float64Array} corners @param {JointTriangulation} mesh @returns {{ source: Over, target: Over }} */
+  #over({ show: { grid, heat, measure }, view, fine }, map, corners, mesh) {
+    const field = heat ? heatOf(map, corners, fine ? FINE_HEAT : DRAFT_HEAT) : null;
+    const source = { lines: grid ? regionLines(map, grid) : [], fence: measure ? fenceOf(map, corners) : null, heat: field };
+    const target = { lines: grid ? diskLines(grid) : [], fence: measure ? CIRCLE_FENCE  : null, heat: field && carried(mesh, field, view) };
+    return { source, target };
+  }
+
+  /** A picture of any size and its lines, to be saved. @param {Job} job @param {(share: number) => void} onShare @returns {Promise<Plate>} */
+  async plate(job, onShare) {
+    if (!this.#picture) throw new Error("There is no picture yet.");
+    const { texture, frame } = this.#picture;
+    const { view, show } = job;
+    const { map, corners } = this.#solved.solve(job, job.tolerance, (_, share) => onShare(share / 2));
+    const { mesh } = this.#mesh(job, map);
+    const edges = meshEdges(mesh.triangles);
+    /** @param {Float64Array[]} lines @param {Float64Array} fence @param {Float64Array} points @returns {Layer[]} */
+    const shown = (lines, fence, points) => [
+      ...(show.measure ? [/** @type {Layer} */ ({ ink: "fence", lines: [fence], closed: true })] : []),
+      ...(show.mesh ? [/** @type {Layer} */ ({ ink: "mesh", points, edges })] : []),
+      ...(lines.length ? [/** @type {Layer} */ ({ ink: "lines", lines })] : []),
+    ];
+    const region = shown(show.grid ? regionLines(map, show.grid) : [], fenceOf(map, corners), mesh.source);
+    const disk = shown(show.grid ? diskLines(show.grid) : [], CIRCLE_FENCE, mesh.target);
+    const heat = show.heat ? heatOf(map, corners, FINE_HEAT) : null;
+    const colours = heat && new Texture(heat.pixels, ...heat.frame.pixels);
+    const way = { view, ...PUSHED, quality: /** @type {const} */ ("best") };
+    return {
+      frame: view,
+      band: BAND,
+      draw: (rows) => mesh.warp(texture, { ...way, texture: frame, rows }),
+      tint: colours && heat && ((rows) => mesh.warp(colours, { ...way, texture: heat.frame, rows })),
+      panels: [
+        { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...region, { ink: "outline", lines: [corners], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, HEAD * frame.width) }] },
+        { name: "disk", frame: view, layers: [...disk, { ink: "rim", lines: [CIRCLE], closed: true }, { ink: "vector", lines: arrowLines([1, 0], [0, 0], HEAD * view.width) }] },
+      ],
+      free: () => colours?.free(),
+    };
+  }
+
   /** @param {Job} job @param {RiemannMap} map */
   #mesh({ boundary, center, toward, tolerance, maxErrorPixels, view }, map) {
     // A mesh for all of the disk: one looks closer at the same, only so far at a finer one.
@@ -94,4 +153,12 @@ export class RegionPipeline {
     this.#meshed = { key, mesh, ms: performance.now() - begin };
     return this.#meshed;
   }
+}
+
+/** Colours over the region → colours over the disk. @param {JointTriangulation} mesh @param {{ pixels: Pixels, frame: Frame }} heat @param {Frame} view */
+function carried(mesh, { pixels, frame }, view) {
+  const texture = new Texture(pixels, ...frame.pixels);
+  const warped = mesh.warp(texture, { texture: frame, view, ...PUSHED, quality: "bilinear" });
+  texture.free();
+  return { pixels: /** @type {Pixels} */ (warped), frame: view };
 }

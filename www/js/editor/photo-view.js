@@ -3,7 +3,7 @@
 import { Layer } from "../common/canvas.js";
 import { onGrid, scaleOf, toPixels } from "../common/frame.js";
 import { Zoom } from "../common/zoom.js";
-import { drawLines, drawMesh } from "./overlay.js";
+import { drawLayers } from "../common/layers.js";
 import { faults, towardPoint } from "./region.js";
 import { match, pathData, set, svg } from "../common/svg.js";
 import { markVector, updateVector } from "./vector.js";
@@ -12,9 +12,10 @@ import { markVector, updateVector } from "./vector.js";
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../common/images.js").Picture} Picture */
 /** @typedef {import("./store.js").Store} Store */
+/** A picture and where it lies. @typedef {{ picture: CanvasImageSource, frame: Frame }} Placed */
 /**
- * What is drawn with the photo: a picture inside the region, how much the outside is dimmed, triangles, lines.
- * @typedef {{ inside?: { picture: CanvasImageSource, frame: Frame }, dim: number, mesh?: { points: Float64Array, edges: Uint32Array }, lines?: Point[][] }} Layers
+ * What is drawn with the photo: pictures inside the region, cut off at its outline where they are colours; how much the outside is dimmed; lines.
+ * @typedef {{ inside?: Placed, heat?: Placed | null, dim: number, over?: import("../common/layers.js").Layer[] }} Layers
  */
 
 export class PhotoView {
@@ -57,7 +58,7 @@ export class PhotoView {
   }
 
   /** @param {Picture} picture @param {Store} store @param {Layers} layers */
-  #drawPhoto({ canvas, frame: whole }, { doc, mode }, { inside, dim, mesh, lines }) {
+  #drawPhoto({ canvas, frame: whole }, { doc, mode }, { inside, heat, dim, over = [] }) {
     const drawing = this.#layer.begin(this.frame);
     const { context, frame } = drawing;
     const [width, height] = frame.pixels;
@@ -69,8 +70,13 @@ export class PhotoView {
     outside.rect(0, 0, width, height);
     context.fillStyle = `rgb(0 0 0 / ${dim})`;
     context.fill(outside, "evenodd");
-    if (mesh) drawMesh(drawing, mesh.points, mesh.edges);
-    if (lines) drawLines(drawing, lines);
+    if (heat) {
+      context.save();
+      context.clip(new Path2D(pathData(doc.region.boundary.map((p) => toPixels(frame, p)), true)));
+      drawWithin(drawing, heat.picture, heat.frame);
+      context.restore();
+    }
+    drawLayers(drawing, over);
   }
 
   /** @param {Store} store */
@@ -100,8 +106,8 @@ export class PhotoView {
   }
 }
 
-/** A picture where its frame lies. @param {import("../common/canvas.js").Drawing} drawing @param {CanvasImageSource} picture @param {Frame} whole */
-function drawWithin({ context, frame }, picture, { center, width, pixels }) {
+/** A picture where its frame lies. @param {{ context: CanvasRenderingContext2D, frame: Frame }} drawing @param {CanvasImageSource} picture @param {Frame} whole */
+export function drawWithin({ context, frame }, picture, { center, width, pixels }) {
   const height = (width * pixels[1]) / pixels[0];
   const [left, top] = toPixels(frame, [center[0] - width / 2, center[1] + height / 2]);
   context.drawImage(picture, left, top, width * scaleOf(frame), height * scaleOf(frame));

@@ -4,7 +4,9 @@ import { History } from "../common/history.js";
 
 /** @typedef {import("./region.js").Region} Region */
 /** @typedef {{ image: string, region: Region }} Document */
-/** @typedef {{ mesh: boolean, grid: boolean }} Shown */
+/** What is shown over the pictures; `density`: rays of the grid, or field lines. @typedef {{ mesh: boolean, grid: boolean, field: boolean, heat: boolean, measure: boolean, density: number }} Shown */
+
+export const NOTHING_SHOWN = Object.freeze({ mesh: false, grid: false, field: false, heat: false, measure: false, density: 12 });
 
 /** @extends {History<Document>} */
 export class Store extends History {

@@ -1,9 +1,10 @@
 // A drawing in the address, after the #: a link is a drawing.
 
-import { outline, oneOf, photo, point, someOf } from "../common/address.js";
+import { between, outline, oneOf, photo, point, someOf } from "../common/address.js";
 import { knowsPicture } from "../common/images.js";
 import { shapes } from "./presets.js";
 import { towardPoint } from "./region.js";
+import { NOTHING_SHOWN } from "./store.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./region.js").Region} Region */
@@ -19,8 +20,23 @@ export const drawingSchema = {
   toward: point,
 };
 
+/** Names of what can be shown over a drawing. */
+const LAYERS = /** @type {const} */ (["mesh", "grid", "field", "heat", "measure"]);
+
 /** What is shown over a drawing. */
-export const shownSchema = { show: someOf(/** @type {const} */ (["mesh", "grid"])) };
+export const shownSchema = { show: someOf(LAYERS), density: between(6, 48) };
+
+/** What an address says of that; what it leaves out is as given. @param {{ show?: (typeof LAYERS)[number][], density?: number }} fields @param {Shown} usual @returns {Shown} */
+export function shownOf({ show, density }, usual) {
+  const told = show && Object.fromEntries(LAYERS.map((name) => [name, show.includes(name)]));
+  return { ...usual, ...told, ...(density && { density: Math.round(density) }) };
+}
+
+/** @param {Shown} shown @returns {string} the fields, with & before them */
+export function encodeShown(shown) {
+  const names = LAYERS.filter((name) => shown[name]);
+  return `${names.length ? `&show=${names.join(",")}` : ""}${shown.density === NOTHING_SHOWN.density ? "" : `&density=${shown.density}`}`;
+}
 
 /** A ten-thousandth of half the photo is finer than a screen's pixel. @param {number} x */
 const short = (x) => String(Number(x.toFixed(4)));

@@ -2,13 +2,16 @@
 
 import init, { presets as allPresets } from "../../pkg/index.js";
 import { wrongWords } from "../common/address.js";
+import { offerAlone } from "../common/alone.js";
 import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
+import { onGrid } from "../common/frame.js";
 import { addPicture } from "../common/images.js";
-import { attempt, element, remark, saveCanvas, statusOfPage, watchErrors, wordsOf } from "../common/page.js";
+import { attempt, element, remark, statusOfPage, watchErrors, wordsOf } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
 import { HOME, PlaneView } from "../common/plane-view.js";
 import { Probe, readingWords } from "../common/probe.js";
+import { offerToSave } from "../common/save-menu.js";
 import { Scheduler } from "../common/scheduler.js";
 import { compile } from "./compile.js";
 import { showGallery } from "./gallery.js";
@@ -46,8 +49,9 @@ let resting;
 
 const source = new PlaneView(element("source"), element("source-marks"), null);
 const target = new PlaneView(element("target"), element("target-marks"), (view) => change({ view }));
+const script = new URL("./worker.js", import.meta.url);
 /** @type {Scheduler<Job, Result>} */
-const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), { ...statusOfPage, onResult, failureWords: ({ message }) => message }, 1);
+const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWords: ({ message }) => message }, 1);
 const probe = new Probe(source, target, () => ({ carry }), (reading) => {
   const hint = state.direction === "pull-back" ? "Point at the right picture: a mark shows where its colours come from." : "Point at the left picture: a mark shows where it goes.";
   element("reading").textContent = reading ? readingWords(reading, "picture") : hint;
@@ -139,8 +143,17 @@ function connectControls() {
     select.onchange = () => change({ [name]: select.value });
   }
   element("home").onclick = () => change({ view: { center: [0, 0], width: HOME } });
-  element("save").onclick = () => saveCanvas(element("target"), "formula.png");
+  offerToSave({
+    name: "formula",
+    script,
+    picture: () => picture,
+    shape: () => target.frame.pixels,
+    job: (pixels, kind) => ({ ...jobOf({ tolerance: 0, maxErrorPixels: 0, sharpness: 1 }), target: onGrid(target.frame, pixels), drawing: kind === "drawing" }),
+    drawing: "the grid, and where f takes it",
+    address: () => encode(state),
+  });
   element("stop").onclick = () => scheduler.stop();
+  offerAlone(() => show(false));
   goAlong(() => (state.image === usual.image || state.image === "lattice" ? /** @type {Record<string, string>} */ ({}) : { image: state.image }));
   window.addEventListener("hashchange", () => visit(state));
   new ResizeObserver(() => picture && show(false)).observe(element("panels"));

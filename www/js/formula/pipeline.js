@@ -1,7 +1,8 @@
 // From a formula to two pictures: the texture's own plane, and what the formula makes of it. Slow ones come coarse to fine.
 
 import { FormulaMap, Texture } from "../../pkg/index.js";
-import { flatten, onGrid, unflatten } from "../common/frame.js";
+import { flatten, onGrid, scaledTo, unflatten } from "../common/frame.js";
+import { gridLines, unbroken } from "./grid.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -31,6 +32,8 @@ const DRAFT_TIME = 150;
 const FINE_TIME = 400;
 /** Rows are drawn for about this long before the page is listened to, in milliseconds. */
 const BAND_TIME = 60;
+/** Rows of a saved picture that are pushed forward at once: each band costs as much as all. */
+const WHOLE = 2048;
 /** Each picture on the way has so many times the pixels a side of the last one. */
 const FINER = 2;
 
@@ -84,6 +87,28 @@ export class FormulaPipeline {
       map.free();
       identity.free();
     }
+  }
+
+  /** A picture of any size, to be saved; for a drawing, the grid's lines carried by the formula. @param {Job & { drawing: boolean }} job @returns {Promise<import("../common/plate.js").Plate>} */
+  async plate(job) {
+    const texture = this.#texture(job.wrap);
+    const map = new FormulaMap(job.formula, { params: job.params });
+    const { target: view, direction, lines, texture: frame } = job;
+    const pulling = direction === "pull-back";
+    const straight = job.drawing ? gridLines(pulling ? view : job.source, lines, frame.width / 8) : [];
+    const bent = straight.flatMap((line) => unbroken(map.eval(line)));
+    const panels = [
+      { name: "picture", frame: scaledTo(job.source, view.pixels[0]), layers: inked(pulling ? bent : straight) },
+      { name: "warped", frame: view, layers: inked(pulling ? straight : bent) },
+    ];
+    return {
+      frame: view,
+      band: pulling ? 128 : Math.min(view.pixels[1], WHOLE),
+      draw: (rows) => map.warp(texture, { texture: frame, view, direction, quality: "best", rows }),
+      tint: lines === "none" ? null : (rows) => overlaid(map, job, view, rows),
+      panels: job.drawing ? panels : [],
+      free: () => map.free(),
+    };
   }
 
   /** Points carried by a formula. @param {Typed & { points: Point[] }} question @returns {(Point | null)[]} */
@@ -153,8 +178,22 @@ async function inBands(count, parted, talk, onShare, draw) {
   }
 }
 
-/** @param {FormulaMap} map @param {Job} job @param {{ view: Frame, out: Uint8ClampedArray, rows: [number, number] }} place */
-function drawLines(map, { lines, texture, fine }, place) {
+/** The lines over the warped plane, alone. @param {FormulaMap} map @param {Job} job @param {Frame} view @param {[number, number]} rows */
+function overlaid(map, job, view, rows) {
+  const out = new Uint8ClampedArray(4 * view.pixels[0] * (rows[1] - rows[0]));
+  const straight = job.direction !== "pull-back";
+  if (straight && (job.lines === "stretch" || job.lines === "argument")) return out;
+  const identity = straight ? new FormulaMap("z") : null;
+  drawLines(identity ?? map, { ...job, fine: true }, { view, out, rows }, view.pixels[0] / 600);
+  identity?.free();
+  return out;
+}
+
+/** @param {Float64Array[]} lines @returns {import("../common/layers.js").Layer[]} */
+const inked = (lines) => [{ ink: "lines", lines }];
+
+/** @param {FormulaMap} map @param {Job} job @param {{ view: Frame, out: Uint8ClampedArray, rows: [number, number] }} place @param {number} [bold] so many times as thick */
+function drawLines(map, { lines, texture, fine }, place, bold = 1) {
   if (lines === "none") return;
-  map.overlay({ ...place, kind: lines, opacity: OPACITY, width: fine ? 2 : 1, spacing: texture.width / 8 });
+  map.overlay({ ...place, kind: lines, opacity: OPACITY, width: (fine ? 2 : 1) * Math.max(1, bold), spacing: texture.width / 8 });
 }

@@ -15,10 +15,10 @@ export async function loadSquare(id) {
 }
 
 /** The middle of a picture. @param {Picture} picture @returns {Picture} */
-export function cropped({ id, title, canvas }) {
+export function cropped({ id, title, canvas, file, fullSize }) {
   const side = Math.min(canvas.width, canvas.height);
   const [x, y] = [(canvas.width - side) / 2, (canvas.height - side) / 2];
-  return { id, title, ...drawnCanvas([side, side], (context) => context.drawImage(canvas, x, y, side, side, 0, 0, side, side)), frame: photoFrame(side, side) };
+  return { id, title, ...drawnCanvas([side, side], (context) => context.drawImage(canvas, x, y, side, side, 0, 0, side, side)), frame: photoFrame(side, side), ...(file && fullSize && { file, fullSize: /** @type {[number, number]} */ ([Math.min(...fullSize), Math.min(...fullSize)]) }) };
 }
 
 /** The lattice, in the place of a picture of that id. @param {string} id @returns {Picture} */

@@ -1,13 +1,16 @@
 // The page that maps one region to another: two sides, one scheduler, the picture of the first in the second.
 
 import { readAddress, someOf, wrongWords } from "../common/address.js";
+import { offerAlone } from "../common/alone.js";
 import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
+import { onGrid } from "../common/frame.js";
 import { newStep, redoNext, undoLast } from "../common/history.js";
 import { onUndoKeys } from "../common/keys.js";
-import { element, press, remark, saveCanvas, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
+import { element, press, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
 import { Probe } from "../common/probe.js";
-import { Scheduler } from "../common/scheduler.js";
+import { offerToSave } from "../common/save-menu.js";
+import { careFor, Scheduler } from "../common/scheduler.js";
 import { documentOf } from "../editor/document.js";
 import { failureWords, pairRows, probeWords } from "../editor/evidence.js";
 import { frameOf } from "../editor/presets.js";
@@ -43,8 +46,9 @@ const [from, to] = await Promise.all([Side.open("from", first.from), Side.open("
 const stores = [from.store, to.store];
 active = from;
 
+const script = new URL("./worker.js", import.meta.url);
 /** @type {Scheduler<Job, Result>} */
-const scheduler = new Scheduler(new URL("./worker.js", import.meta.url), { ...statusOfPage, onResult, failureWords });
+const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWords });
 const probe = new Probe(from.view, to.view, () => outcome?.carrier ?? null, (reading) => {
   element("reading").textContent = probeWords(reading);
 });
@@ -101,8 +105,13 @@ function refresh(solving, dragging = false) {
 }
 
 function remember() {
+  history.replaceState(null, "", `#${address()}`);
+}
+
+/** The state, as the address has it. */
+function address() {
   const sides = [encodeDrawing(from.store.doc, "a."), encodeDrawing(to.store.doc, "b.")];
-  history.replaceState(null, "", `#${[...sides, ...(showMesh ? ["show=mesh"] : [])].join("&")}`);
+  return [...sides, ...(showMesh ? ["show=mesh"] : [])].join("&");
 }
 
 /** @param {boolean} dragging */
@@ -125,10 +134,9 @@ function layOut() {
 }
 
 function draw() {
-  const mesh = showMesh ? outcome?.mesh : null;
-  const edges = mesh ? outcome?.edges : undefined;
-  from.draw({ dim: DIM, mesh: mesh && edges ? { points: mesh.source, edges } : undefined });
-  to.draw({ dim: 0, inside: outcome?.inside, mesh: mesh && edges ? { points: mesh.target, edges } : undefined });
+  const shown = showMesh ? outcome : null;
+  from.draw({ dim: DIM, over: shown?.triangles("source") });
+  to.draw({ dim: 0, inside: outcome?.inside, over: shown?.triangles("target") });
   press("mesh", showMesh);
   /** @type {HTMLButtonElement} */ (element("mesh")).disabled = outcome !== null && !outcome.mesh;
 }
@@ -153,8 +161,20 @@ function connectControls() {
     await from.visit(b, step);
     await to.visit(a, step);
   };
-  element("save").onclick = () => saveCanvas(element("to-photo"), "regions.png");
+  offerToSave({
+    name: "regions",
+    script,
+    picture: () => from.picture,
+    shape: () => to.view.frame.pixels,
+    job: (pixels, kind) => {
+      const { pixels: under, frame, file } = to.picture;
+      return { from: from.outline, to: to.outline, ...careFor(pixels), view: onGrid(to.view.frame, pixels), behind: { pixels: under, frame, file }, mesh: showMesh || kind === "drawing" };
+    },
+    drawing: "both outlines, their vectors and triangles",
+    address,
+  });
   element("stop").onclick = () => scheduler.stop();
+  offerAlone(() => refresh(true));
   const file = /** @type {HTMLInputElement} */ (element("file"));
   for (const [name, side] of /** @type {[string, Side][]} */ ([["from", from], ["to", to]])) {
     element(`${name}-open`).onclick = () => {

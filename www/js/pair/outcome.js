@@ -1,8 +1,8 @@
 // What is drawn from a result: its picture, the edges of its triangles once they are shown, and a way to carry points.
 
 import { canvasOf } from "../common/canvas.js";
+import { meshEdges } from "../common/layers.js";
 import { Locator } from "../editor/locate.js";
-import { meshEdges } from "../editor/overlay.js";
 
 /** @typedef {import("../common/probe.js").Carrier} Carrier */
 /** @typedef {import("./pipeline.js").Result} Result */
@@ -20,7 +20,8 @@ export class Outcome {
     this.carrier = mesh ? new Locator(mesh) : worker;
   }
 
-  get edges() {
-    return (this.#edges ??= meshEdges(this.mesh?.triangles ?? new Uint32Array()));
+  /** The triangles of a side, where there are some. @param {import("../common/probe.js").Side} side @returns {import("../common/layers.js").Layer[]} */
+  triangles(side) {
+    return this.mesh ? [{ ink: "mesh", points: this.mesh[side], edges: (this.#edges ??= meshEdges(this.mesh.triangles)) }] : [];
   }
 }

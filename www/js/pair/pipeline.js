@@ -1,7 +1,9 @@
 // From two drawn regions to the picture of one in the other: both maps, the joint triangulation, the warp.
 
 import { JointTriangulation, RegionMap, Texture } from "../../pkg/index.js";
-import { flatten, unflatten } from "../common/frame.js";
+import { flatten, scaledTo, unflatten } from "../common/frame.js";
+import { arrowLines, meshEdges } from "../common/layers.js";
+import { bitmapOf } from "../common/plate.js";
 import { SolvedMap } from "../editor/solved-map.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
@@ -12,22 +14,24 @@ import { SolvedMap } from "../editor/solved-map.js";
 /** @typedef {import("../editor/solved-map.js").Outline} Outline */
 /** @typedef {import("../editor/solved-map.js").Solved} Solved */
 /** @typedef {{ version: number, fine: boolean, from: Outline, to: Outline, tolerance: number, maxErrorPixels: number, view: Frame }} Job */
+/** A job whose picture is to be saved, over the second photo. @typedef {Job & { behind: import("../common/serve.js").PictureMessage, mesh: boolean }} SavedJob */
 /** Without a mesh, the picture was drawn point by point. @typedef {{ version: number, pixels: Uint8ClampedArray<ArrayBuffer>, view: Frame, mesh: Mesh | null, evidence: Evidence }} Result */
 /** @typedef {import("../common/serve.js").Talk<Result>} Talk */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
 
-/** A mesh whose pieces are farther off the map than this many times what was asked for is not shown. */
+/** A mesh that could not be made as fine as was asked for is shown all the same where it is off the map by so many times that at most. */
 const OFF = 2;
-/** Corners nearer to each other than this on the circle, in radians, may leave no room for a mesh: that is tried with maps of this tolerance, to so many pixels. */
-const NARROW = 1e-4;
-const ROUGH = 1e-3;
-const COARSE = 2;
+/** A mesh that takes longer is given up for a picture drawn point by point; in milliseconds. */
+const PATIENCE = 4000;
 /** Meshes are not made finer than for a view so wide. */
 const MESH_WIDTH = 0.5;
 /** Rows that are drawn point by point before the page is listened to. */
 const BAND = 16;
-/** What the library says when the maps leave no room for a mesh. */
-const NO_MESH = ["crowded", "invalid-mesh"];
+/** Rows of a picture that is saved, and the length of an arrow's head as a share of the width. */
+const SAVED_BAND = 256;
+const HEAD = 0.02;
+/** What the library says when the maps leave no room for a mesh, or it was given up. */
+const NO_MESH = ["cancelled", "crowded", "invalid-mesh"];
 
 /** @implements {Pipeline<Job, Result>} */
 export class RegionsPipeline {
@@ -35,8 +39,6 @@ export class RegionsPipeline {
   #picture = null;
   #from = new SolvedMap();
   #to = new SolvedMap();
-  #roughFrom = new SolvedMap();
-  #roughTo = new SolvedMap();
   /** The map between both regions of the last picture. @type {RegionMap | null} */
   #between = null;
 
@@ -57,7 +59,7 @@ export class RegionsPipeline {
     // Also where there is a mesh: whoever draws finely may have none, and ask here.
     this.#between = RegionMap.between(from.map, to.map);
     const begin = performance.now();
-    const joint = this.#triangulate(from, to, job);
+    const joint = triangulated(from, to, job, (share) => talk.progress("mesh", (2 + share) / 3));
     const meshed = performance.now();
     /** @type {Uint8ClampedArray} */
     let pixels;
@@ -85,17 +87,36 @@ export class RegionsPipeline {
     return { result, transfer: arrays.map(({ buffer }) => buffer) };
   }
 
-  /** The mesh, if there is one that keeps to what was asked for. @param {Solved} from @param {Solved} to @param {Job} job */
-  #triangulate(from, to, job) {
-    const crowded = [from, to].some(({ map }) => narrowest(map.angles) < NARROW);
-    if (crowded && job.tolerance < ROUGH) {
-      // Where the boundary is crowded on the circle, rough maps soon tell whether a mesh is worth the time.
-      const rough = [this.#roughFrom.solve(job.from, ROUGH, () => {}), this.#roughTo.solve(job.to, ROUGH, () => {})];
-      const mesh = meshWithin(rough[0], rough[1], COARSE, job.view);
-      if (!mesh) return null;
-      mesh.free();
-    }
-    return meshWithin(from, to, job.maxErrorPixels, job.view);
+  /** A picture of any size over the second photo, and its lines, to be saved. @param {SavedJob} job @param {(share: number) => void} onShare @returns {Promise<import("../common/plate.js").Plate>} */
+  async plate(job, onShare) {
+    if (!this.#picture) throw new Error("There is no picture yet.");
+    const { texture, frame } = this.#picture;
+    const { view } = job;
+    const from = this.#from.solve(job.from, job.tolerance, (_, share) => onShare(share / 3));
+    const to = this.#to.solve(job.to, job.tolerance, (_, share) => onShare((1 + share) / 3));
+    const joint = triangulated(from, to, job, (share) => onShare((2 + share) / 3));
+    const between = RegionMap.between(from.map, to.map);
+    const edges = joint && job.mesh ? meshEdges(joint.triangles) : null;
+    /** @param {Outline} outline @param {Float64Array | undefined} points @param {Frame} place @returns {import("../common/layers.js").Layer[]} */
+    const lines = ({ boundary, center, toward }, points, place) => [
+      ...(edges && points ? [/** @type {import("../common/layers.js").Layer} */ ({ ink: "mesh", points, edges })] : []),
+      { ink: "outline", lines: [boundary], closed: true },
+      { ink: "vector", lines: arrowLines(toward, center, HEAD * place.width) },
+    ];
+    return {
+      frame: view,
+      band: SAVED_BAND,
+      draw: (rows) => (joint ?? between).warp(texture, { texture: frame, view, direction: "push-forward", quality: "best", rows }),
+      behind: { picture: await bitmapOf(job.behind), frame: job.behind.frame },
+      panels: [
+        { name: "first", frame: scaledTo(frame, view.pixels[0]), layers: lines(job.from, joint?.source, frame) },
+        { name: "second", frame: view, layers: lines(job.to, joint?.target, view) },
+      ],
+      free: () => {
+        joint?.free();
+        between.free();
+      },
+    };
   }
 
   /** Points carried by the map itself, where there is no mesh that the page could ask. @param {{ side: Side, points: Point[] }} question @returns {(Point | null)[] | null} */
@@ -111,13 +132,22 @@ export class RegionsPipeline {
   }
 }
 
-/** @param {Solved} from @param {Solved} to @param {number} maxErrorPixels @param {Frame} view @returns {JointTriangulation | null} */
-function meshWithin(from, to, maxErrorPixels, view) {
+/**
+ * The mesh, if there is one that keeps to what was asked for, and soon.
+ * @param {Solved} from @param {Solved} to @param {Job} job @param {(share: number) => void} onShare @returns {JointTriangulation | null}
+ */
+function triangulated(from, to, { maxErrorPixels, view }, onShare) {
   const frame = { ...view, width: Math.max(view.width, MESH_WIDTH) };
+  const latest = performance.now() + PATIENCE;
+  /** @param {string} _ @param {number} share */
+  const onProgress = (_, share) => {
+    onShare(share);
+    return performance.now() < latest;
+  };
   try {
-    const joint = JointTriangulation.regionToRegion(from.map, to.map, { maxErrorPixels, frame });
-    const { largestErrorPixels = 0 } = joint.evidence;
-    if (largestErrorPixels <= OFF * maxErrorPixels) return joint;
+    const joint = JointTriangulation.regionToRegion(from.map, to.map, { maxErrorPixels, frame, onProgress });
+    const { stop, largestErrorPixels = 0 } = joint.evidence;
+    if (stop === "density" || largestErrorPixels <= OFF * maxErrorPixels) return joint;
     joint.free();
     return null;
   } catch (error) {
@@ -125,9 +155,6 @@ function meshWithin(from, to, maxErrorPixels, view) {
     throw error;
   }
 }
-
-/** The smallest angle between neighbours on the circle. @param {Float64Array} angles */
-const narrowest = (angles) => angles.reduce((least, angle, k) => Math.min(least, (angles[(k + 1) % angles.length] - angle + 2 * Math.PI) % (2 * Math.PI)), Infinity);
 
 /** @param {RegionMap} map @param {Texture} texture @param {Frame} frame @param {Frame} view @param {Talk} talk */
 async function pointByPoint(map, texture, frame, view, talk) {

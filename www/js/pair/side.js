@@ -10,7 +10,7 @@ import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
 import { defaultRegion, shapeRegion, shapes } from "../editor/presets.js";
 import { makeRegion, towardPoint } from "../editor/region.js";
-import { Store } from "../editor/store.js";
+import { NOTHING_SHOWN, Store } from "../editor/store.js";
 
 /** @typedef {import("../common/images.js").Picture} Picture */
 /** @typedef {import("../editor/store.js").Document} Document */
@@ -32,7 +32,7 @@ export class Side {
   constructor(name, doc, picture) {
     this.#find = (part) => element(`${name}-${part}`);
     this.picture = picture;
-    const store = new Store(doc, { mesh: false, grid: false });
+    const store = new Store(doc, NOTHING_SHOWN);
     this.store = store;
     this.view = new PhotoView(element(`${name}-photo`), element(`${name}-marks`), () => store.look());
     new Editor(store, this.view);

@@ -1,0 +1,56 @@
+// The lines of a grid over a view, and where a formula takes them.
+
+/** @typedef {import("../common/frame.js").Frame} Frame */
+/** @typedef {import("./pipeline.js").Lines} Lines */
+
+/** Points along a line. */
+const STEPS = 600;
+/** Lines each way, at most; rays and rings of a polar grid. */
+const MOST = 48;
+const RAYS = 24;
+
+/** @param {Frame} view @param {Lines} kind square unless it is "polar" @param {number} spacing of the square one @returns {Float64Array[]} */
+export function gridLines({ center: [x, y], width, pixels }, kind, spacing) {
+  const height = (width * pixels[1]) / pixels[0];
+  const [left, low] = [x - width / 2, y - height / 2];
+  /** @param {(share: number) => [number, number]} at */
+  const line = (at) => new Float64Array(Array.from({ length: STEPS + 1 }, (_, k) => at(k / STEPS)).flat());
+  if (kind === "polar") {
+    const reach = Math.hypot(Math.abs(x) + width / 2, Math.abs(y) + height / 2);
+    /** @param {number} radius @param {number} angle @returns {[number, number]} */
+    const polar = (radius, angle) => [radius * Math.cos(angle), radius * Math.sin(angle)];
+    const step = (2 * Math.PI) / RAYS;
+    const rings = Array.from({ length: RAYS }, (_, k) => reach * Math.exp(-step * k));
+    return [
+      ...Array.from({ length: RAYS }, (_, k) => line((s) => polar(reach * Math.exp(-step * RAYS * (1 - s)), k * step))),
+      ...rings.map((radius) => line((s) => polar(radius, 2 * Math.PI * s))),
+    ];
+  }
+  const step = Math.max(spacing, Math.max(width, height) / MOST);
+  /** @param {number} from @param {number} to */
+  const multiples = (from, to) => Array.from({ length: Math.max(0, Math.floor(to / step) - Math.ceil(from / step) + 1) }, (_, k) => (Math.ceil(from / step) + k) * step);
+  return [
+    ...multiples(left, left + width).map((u) => line((s) => [u, low + s * height])),
+    ...multiples(low, low + height).map((v) => line((s) => [left + s * width, v])),
+  ];
+}
+
+/** A step so many times as long as the one before it is a jump over a branch cut or a pole. */
+const JUMP = 12;
+
+/** A carried line in the pieces that hold together. @param {Float64Array} line @returns {Float64Array[]} */
+export function unbroken(line) {
+  /** @type {number[][]} */
+  const pieces = [[]];
+  let before = Infinity;
+  for (let k = 0; k < line.length; k += 2) {
+    const last = pieces[pieces.length - 1];
+    const [x, y] = [line[k], line[k + 1]];
+    const step = last.length ? Math.hypot(x - last[last.length - 2], y - last[last.length - 1]) : 0;
+    const whole = Number.isFinite(x) && Number.isFinite(y) && (step <= JUMP * before || last.length < 4);
+    if (!whole) pieces.push([]);
+    if (Number.isFinite(x) && Number.isFinite(y)) pieces[pieces.length - 1].push(x, y);
+    before = whole && step > 0 ? step : Infinity;
+  }
+  return pieces.filter(({ length }) => length > 2).map((piece) => new Float64Array(piece));
+}
