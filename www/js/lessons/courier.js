@@ -1,0 +1,81 @@
+// Questions of the figures to one worker: of each figure the newest waits, the others are forgotten.
+
+/** @typedef {import("../common/images.js").Picture} Picture */
+/** @typedef {{ figure: string, question: any, resolve: (answer: any) => void, reject: (error: Error) => void }} Letter */
+
+/** A worker that ends unexpectedly is tried again so often in a row. */
+const TRIES = 3;
+
+export class Courier {
+  /** @type {Worker | null} */ #worker = null;
+  /** @type {Letter | null} */ #out = null;
+  /** @type {Letter[]} */ #waiting = [];
+  /** @type {Map<string, Picture>} */ #pictures = new Map();
+  /** Pictures that the worker has. @type {Set<string>} */ #handed = new Set();
+  #failures = 0;
+
+  /**
+   * What the worker answers; null where a newer question of the same figure has taken its place.
+   * @param {string} figure @param {any} question @returns {Promise<any>}
+   */
+  ask(figure, question) {
+    return new Promise((resolve, reject) => {
+      const older = this.#waiting.findIndex((letter) => letter.figure === figure);
+      if (older >= 0) this.#waiting.splice(older, 1)[0].resolve(null);
+      this.#waiting.push({ figure, question, resolve, reject });
+      this.#next();
+    });
+  }
+
+  /** A picture that questions name by its id. @param {Picture} picture */
+  know(picture) {
+    this.#pictures.set(picture.id, picture);
+  }
+
+  #start() {
+    const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+    worker.onmessage = ({ data }) => this.#receive(data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      this.#fail(event.message || "its script could not be loaded");
+    };
+    this.#handed.clear();
+    return worker;
+  }
+
+  #next() {
+    if (this.#out) return;
+    this.#out = this.#waiting.shift() ?? null;
+    if (!this.#out) return;
+    this.#worker ??= this.#start();
+    const { question } = this.#out;
+    const picture = this.#pictures.get(question.picture);
+    if (picture && !this.#handed.has(picture.id)) {
+      this.#worker.postMessage({ picture: { id: picture.id, pixels: picture.pixels, frame: picture.frame } });
+      this.#handed.add(picture.id);
+    }
+    this.#worker.postMessage({ question });
+  }
+
+  /** @param {{ answer: any } | { refusal: string } | { broken: string }} reply */
+  #receive(reply) {
+    if ("broken" in reply) return this.#fail(reply.broken);
+    const letter = this.#out;
+    this.#out = null;
+    this.#failures = 0;
+    if ("answer" in reply) letter?.resolve(reply.answer);
+    else letter?.reject(new Error(reply.refusal));
+    this.#next();
+  }
+
+  /** The worker is of no use: another one takes over, some times. @param {string} why */
+  #fail(why) {
+    this.#worker?.terminate();
+    this.#worker = null;
+    const letter = this.#out;
+    this.#out = null;
+    if (letter && ++this.#failures < TRIES) this.#waiting.unshift(letter);
+    else letter?.reject(new Error(`The figure could not be computed: ${why}. Reload the page to try again.`));
+    this.#next();
+  }
+}
