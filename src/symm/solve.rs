@@ -125,7 +125,10 @@ fn order_for(options: &SolveOptions, panels: usize) -> Result<Order> {
         d if d < 3.5 => 3,
         d if d < 4.5 => 4,
         d if d < 6.5 => 6,
-        d if d < 9.5 => 8,
+        d if d < 7.5 => 8,
+        // A higher degree saves halvings and second rounds; among many panels it costs more than it saves.
+        d if d < 8.5 && panels <= 400 => 10,
+        d if d < 8.5 => 8,
         d if d < 11.5 => 12,
         _ => 16,
     };
