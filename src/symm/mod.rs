@@ -23,31 +23,34 @@
 //!
 //! [`smooth`] does all this, more simply, for smooth curves.
 
-pub mod center;
-pub mod clusters;
-pub mod correspondence;
-pub mod discretisation;
-pub mod far_center;
+pub(crate) mod center;
+mod clusters;
+pub(crate) mod correspondence;
+mod discretisation;
+pub(crate) mod far_center;
 mod fast_log;
-pub mod fast_multipole;
-pub mod gmres;
-pub mod influence;
-pub mod legendre;
-pub mod local_series;
-pub mod log_moments;
-pub mod lu;
+mod fast_multipole;
+mod gmres;
+mod influence;
+mod legendre;
+pub(crate) mod local_series;
+mod log_moments;
+mod lu;
 mod multipole;
 pub mod options;
-pub mod order;
-pub mod panel;
-pub mod panel_blocks;
-pub mod potential;
+mod order;
+pub(crate) mod panel;
+mod panel_blocks;
+pub(crate) mod potential;
 mod refinement;
-pub mod rule;
+mod rule;
 mod series_sum;
-pub mod smooth;
-pub mod solution;
-pub mod solve;
-pub mod system;
+pub(crate) mod smooth;
+pub(crate) mod solution;
+pub(crate) mod solve;
+mod system;
 mod thin_walls;
-pub mod two_level;
+mod two_level;
+
+#[cfg(test)]
+mod convergence;

@@ -38,7 +38,6 @@ impl Boundary {
 
     /// Number of vertices.
     #[must_use]
-    #[expect(clippy::len_without_is_empty, reason = "a boundary has at least 3 vertices")]
     pub fn len(&self) -> usize {
         self.vertices.len()
     }

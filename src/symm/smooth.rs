@@ -131,7 +131,6 @@ impl SmoothSystem {
 
     /// Number of nodes.
     #[must_use]
-    #[expect(clippy::len_without_is_empty, reason = "a curve has nodes")]
     pub fn len(&self) -> usize {
         self.nodes.len()
     }

@@ -2,7 +2,6 @@
 //! (N. Kerzman, M. R. Trummer, J. Comput. Appl. Math. 14, 1986): a second method, sharing nothing with Symm's.
 
 use conformal_warp::Complex64;
-use conformal_warp::symm::lu::Lu;
 use std::f64::consts::TAU;
 
 /// f(z(t_j)), t_j = 2πj/n, for the map with f(center) = 0 and f'(center) > 0.
@@ -36,11 +35,35 @@ pub fn boundary_values(n: usize, center: Complex64, curve: impl Fn(f64) -> Compl
             (matrix[at(1, 0)], matrix[at(1, 1)]) = (k.im, k.re);
         }
     }
-    Lu::new(2 * n, matrix).solve(&mut rhs);
+    eliminate(matrix, &mut rhs);
     (0..n)
         .map(|j| {
             let phi = Complex64::new(rhs[2 * j], rhs[2 * j + 1]);
             -Complex64::i() * tangent(j) * phi / phi.conj()
         })
         .collect()
+}
+
+/// Solves a system given row by row, by Gauss's elimination with the largest pivot of each column; `rhs` becomes the answer.
+fn eliminate(mut matrix: Vec<f64>, rhs: &mut [f64]) {
+    let n = rhs.len();
+    for k in 0..n {
+        let size = |row: &usize| matrix[row * n + k].abs();
+        let pivot = (k..n).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap();
+        let (above, below) = matrix.split_at_mut((k + 1) * n);
+        let top = &mut above[k * n..];
+        if pivot > k {
+            top.swap_with_slice(&mut below[(pivot - k - 1) * n..(pivot - k) * n]);
+            rhs.swap(k, pivot);
+        }
+        for (row, i) in below.chunks_exact_mut(n).zip(k + 1..) {
+            let factor = row[k] / top[k];
+            row[k..].iter_mut().zip(&top[k..]).for_each(|(a, b)| *a -= factor * b);
+            rhs[i] -= factor * rhs[k];
+        }
+    }
+    for k in (0..n).rev() {
+        let known: f64 = (k + 1..n).map(|j| matrix[k * n + j] * rhs[j]).sum();
+        rhs[k] = (rhs[k] - known) / matrix[k * n + k];
+    }
 }

@@ -1,24 +1,27 @@
 //! Polygons without closed answers: the Schwarz–Christoffel integral over the prevertices found must give them back.
 
 use crate::support::{case, exact, largest, points, polygon, schwarz_christoffel::side_lengths, solve};
-use conformal_warp::symm::panel::Boundary;
 use conformal_warp::{Complex64, Region};
 use std::collections::BTreeSet;
+use std::f64::consts::{PI, TAU};
 
 /// The largest relative error of the sides that are not crowded as seen from the region's center, and which those are.
 fn side_error(region: &Region, tolerance: f64) -> (f64, Vec<usize>) {
     let map = solve(region, tolerance);
-    let boundary = Boundary::new(region.polygon());
-    let lengths = side_lengths(map.angles(), &boundary.alpha);
-    let n = lengths.len();
+    let corners = region.polygon().vertices();
+    let n = corners.len();
+    let sides: Vec<Complex64> = (0..n).map(|k| corners[(k + 1) % n] - corners[k]).collect();
+    // Interior angles over π.
+    let alpha: Vec<f64> = (0..n).map(|k| 1.0 - (sides[k] / sides[(k + n - 1) % n]).arg() / PI).collect();
+    let lengths = side_lengths(map.angles(), &alpha);
     // A prevertex known to 1e-13 fixes the sides beside a gap g only to 1e-13/g.
-    let gap = |k: usize| (map.angles()[(k + 1) % n] - map.angles()[k]).rem_euclid(std::f64::consts::TAU);
+    let gap = |k: usize| (map.angles()[(k + 1) % n] - map.angles()[k]).rem_euclid(TAU);
     let clear = |k: usize| [(k + n - 1) % n, k, (k + 1) % n].iter().all(|&j| gap(j) > 1e-5);
     // Beside a very sharp corner most of the integral lies where doubles end.
-    let integrable = |k: usize| [k, (k + 1) % n].iter().all(|&j| boundary.alpha[j] > 0.1);
+    let integrable = |k: usize| [k, (k + 1) % n].iter().all(|&j| alpha[j] > 0.1);
     let seen: Vec<usize> = (0..n).filter(|&k| clear(k) && integrable(k)).collect();
-    let factor = seen.iter().map(|&k| boundary.lengths[k]).sum::<f64>() / seen.iter().map(|&k| lengths[k]).sum::<f64>();
-    let error = largest(seen.iter().map(|&k| (lengths[k] * factor / boundary.lengths[k] - 1.0).abs()));
+    let factor = seen.iter().map(|&k| sides[k].norm()).sum::<f64>() / seen.iter().map(|&k| lengths[k]).sum::<f64>();
+    let error = largest(seen.iter().map(|&k| (lengths[k] * factor / sides[k].norm() - 1.0).abs()));
     (error, seen)
 }
 
