@@ -179,7 +179,7 @@ test("an outline is drawn, read from text and turned by its landmark", async () 
   const drawn = await area();
   assert.ok(drawn > 1500 && drawn < 2500, `${drawn} mm²`);
   await page.waitForURL(/own=/);
-  // From an SVG path, in centimetres.
+  // From text, in centimetres.
   await page.locator(".read").nth(1).click();
   await page.locator("#outline-text").fill("M0 0 h8 q1 2 0 4 h-8");
   await page.locator("#outline-scale").fill("0");
@@ -188,7 +188,15 @@ test("an outline is drawn, read from text and turned by its landmark", async () 
   await page.locator("#outline-text").fill("[[0, 0], [8, 4], [8, 0], [0, 4]]");
   await page.locator("#outline-form .primary").click();
   await page.waitForFunction(() => /crosses or touches itself/.test(document.getElementById("outline-refusal")?.textContent ?? ""));
-  await page.locator("#outline-text").fill("M0 0 h8 q1 2 0 4 h-8 z");
+  // From an SVG file, whose first path is not drawn and whose outline is scaled.
+  const file = (/** @type {string} */ drawn) => Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg"><defs><path id="a" d="M0 0 h1 v1 z"/></defs>${drawn}</svg>`);
+  const give = (/** @type {string} */ drawn) => page.locator("#outline-file").setInputFiles({ name: "v1.svg", mimeType: "image/svg+xml", buffer: file(drawn) });
+  await give('<path d="M0 0 h8 v4 z"/><path d="M20 0 h8 v4 z"/>');
+  await page.waitForFunction(() => /M20/.test(/** @type {HTMLTextAreaElement} */ (document.getElementById("outline-text")).value));
+  await page.locator("#outline-form .primary").click();
+  await page.waitForFunction(() => /2 curves/.test(document.getElementById("outline-refusal")?.textContent ?? ""));
+  await give('<g transform="scale(2)"><path d="M0 0 h4 q.5 1 0 2 h-4 z"/></g>');
+  await page.waitForFunction(() => /scale/.test(/** @type {HTMLTextAreaElement} */ (document.getElementById("outline-text")).value));
   await page.locator("#outline-form .primary").click();
   await page.locator("#outline-dialog").waitFor({ state: "hidden" });
   await settled(page, "ready");

@@ -21,8 +21,7 @@ export function outlineDialog(parse, use) {
   element("outline-cancel").onclick = () => dialog.close();
   element("outline-form").addEventListener("submit", async (event) => {
     event.preventDefault();
-    const path = text.value.includes("<svg") ? firstPath(text.value) : text.value;
-    const found = path === null ? { refusal: "The SVG file has no path." } : await parse(path, Number(scale.value));
+    const found = await parse(text.value, Number(scale.value));
     if (!found || "refusal" in found) {
       refusal.textContent = found ? found.refusal : "The outline could not be read just now: try once more.";
       return;
@@ -34,9 +33,4 @@ export function outlineDialog(parse, use) {
     refusal.textContent = "";
     dialog.showModal();
   };
-}
-
-/** @param {string} text of an SVG file */
-function firstPath(text) {
-  return new DOMParser().parseFromString(text, "image/svg+xml").querySelector("path")?.getAttribute("d") ?? null;
 }
