@@ -2,10 +2,10 @@
 
 use super::atlas::{DiskPoint, Expansions, Position};
 use super::rounding::onto_disk;
-use super::solved_region::SolvedRegion;
+use super::solved_region::{Evidence, SolvedRegion};
 use crate::plane::{BoundaryPoint, Complex64, Region};
 use crate::symm::center::move_center;
-use crate::symm::options::{Progress, SolveOptions, Stop};
+use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::solution::Solution;
 use crate::symm::solve::{solve, solve_again};
 use crate::{Error, Result};
@@ -93,20 +93,14 @@ impl SolvedPolygon {
 }
 
 impl SolvedRegion for SolvedPolygon {
-    fn residual(&self) -> f64 {
-        self.solution.residual
-    }
-
-    fn error_estimate(&self) -> f64 {
-        self.solution.error_estimate
-    }
-
-    fn stop(&self) -> Stop {
-        self.solution.stop
-    }
-
-    fn unknowns(&self) -> usize {
-        self.solution.masses.len()
+    fn evidence(&self) -> Evidence {
+        let solution = &self.solution;
+        Evidence {
+            residual: solution.residual,
+            error_estimate: solution.error_estimate,
+            stop: solution.stop,
+            unknowns: solution.masses.len(),
+        }
     }
 
     fn conformal_radius(&self) -> f64 {

@@ -221,25 +221,25 @@ impl RiemannMap {
     /// Largest violation of the boundary condition log|f| = 0 at points where it was not imposed.
     #[must_use]
     pub fn residual(&self) -> f64 {
-        self.solved.residual()
+        self.solved.evidence().residual
     }
 
     /// Estimate of the largest error of the map anywhere in the region, in units of the disk.
     #[must_use]
     pub fn error_estimate(&self) -> f64 {
-        self.solved.error_estimate()
+        self.solved.evidence().error_estimate
     }
 
     /// Number of unknowns of the last system solved.
     #[must_use]
     pub fn unknowns(&self) -> usize {
-        self.solved.unknowns()
+        self.solved.evidence().unknowns
     }
 
     /// Why the solve ended: with the tolerance met, or short of it.
     #[must_use]
     pub fn stop(&self) -> Stop {
-        self.solved.stop()
+        self.solved.evidence().stop
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::atlas::DiskPoint;
 use super::rounding::{is_on_circle, is_outside_disk, onto_disk};
-use super::solved_region::SolvedRegion;
+use super::solved_region::{Evidence, SolvedRegion};
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64, Region};
-use crate::symm::options::{Progress, SolveOptions, Stop};
+use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::smooth::{SmoothSolution, solve_smooth};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -33,20 +33,14 @@ impl SolvedCurve {
 }
 
 impl SolvedRegion for SolvedCurve {
-    fn residual(&self) -> f64 {
-        self.solution.residual
-    }
-
-    fn error_estimate(&self) -> f64 {
-        self.solution.error_estimate
-    }
-
-    fn stop(&self) -> Stop {
-        self.solution.stop
-    }
-
-    fn unknowns(&self) -> usize {
-        self.solution.unknowns()
+    fn evidence(&self) -> Evidence {
+        let solution = &self.solution;
+        Evidence {
+            residual: solution.residual,
+            error_estimate: solution.error_estimate,
+            stop: solution.stop,
+            unknowns: solution.unknowns(),
+        }
     }
 
     fn conformal_radius(&self) -> f64 {

@@ -12,22 +12,26 @@ use std::sync::Arc;
 /// The image of what has none.
 pub(super) const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 
+/// How good a solution is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Evidence {
+    /// Largest violation of the boundary condition log|f| = 0 where it was not imposed.
+    pub residual: f64,
+    /// Estimate of the largest error of the map, in units of the disk.
+    pub error_estimate: f64,
+    /// Why the solve ended.
+    pub stop: Stop,
+    /// Number of unknowns of the last system solved.
+    pub unknowns: usize,
+}
+
 /// A region with its solution of Symm's equation: region ↔ disk with vertex 0 ↦ 1, in plane units, with the evidence.
 ///
 /// A point of the disk is a [`DiskPoint`]: a number in one of the region's charts, of which there is one, the disk itself,
 /// unless a kind of region says otherwise.
 pub(super) trait SolvedRegion: Debug + Send + Sync {
-    /// Largest violation of the boundary condition log|f| = 0 where it was not imposed.
-    fn residual(&self) -> f64;
-
-    /// Estimate of the largest error of the map, in units of the disk.
-    fn error_estimate(&self) -> f64;
-
-    /// Why the solve ended.
-    fn stop(&self) -> Stop;
-
-    /// Number of unknowns of the last system solved.
-    fn unknowns(&self) -> usize;
+    /// How good the solution is.
+    fn evidence(&self) -> Evidence;
 
     /// |f'(center)|⁻¹.
     fn conformal_radius(&self) -> f64;
