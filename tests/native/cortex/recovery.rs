@@ -1,6 +1,7 @@
 //! The scene as it can be recovered from the cortex: sharp where it was looked at, and blurred elsewhere as the cortical
 //! magnification says.
 
+use crate::support::golden;
 use conformal_warp::warp::recovery;
 use conformal_warp::{
     Complex64, CorticalModel, Frame, Gaze, Hemisphere, Light, Texture, VisualCortex, WarpOptions, Wrap,
@@ -44,7 +45,11 @@ fn the_fovea_comes_back_sharper_than_the_periphery() {
         10.0 * (255.0 * 255.0 * squares.len() as f64 / squares.iter().sum::<f64>()).log10()
     };
     let [fovea, near, far] = [psnr(0.0, 2.0), psnr(2.0, 8.0), psnr(8.0, 20.0)];
-    assert!(fovea > near + 3.0 && near > far + 3.0 && fovea > 25.0, "{fovea} {near} {far}");
+    assert!(
+        fovea > near + 3.0 && near > far + 3.0 && fovea > 25.0,
+        "{fovea} {near} {far}; {}",
+        golden::keep("recovered", 320, &found, &rgba)
+    );
 }
 
 /// Width of the rise from 10 to 90 % along the right horizontal meridian around an eccentricity, in degrees.

@@ -56,7 +56,11 @@ fn assert_same_alpha(pixels: &[u8], truth: &[[f64; 4]], side: usize, what: &str)
             for full in [0.0, 255.0] {
                 let alpha = pixels[4 * (side * y + x) + 3];
                 if solid(x, y, full) {
-                    assert!((f64::from(alpha) - full).abs() <= 1.0, "{what}: alpha {alpha} at ({x}, {y}), not {full}");
+                    assert!(
+                        (f64::from(alpha) - full).abs() <= 1.0,
+                        "{what}: alpha {alpha} at ({x}, {y}), not {full}; {}",
+                        golden::keep_exact(what, side, pixels, truth)
+                    );
                 }
             }
         }
@@ -77,7 +81,11 @@ fn a_branch_cut_is_sharp() {
     for channel in 0..3 {
         let near_cut = psnr(&pixels, &exact, channel, |k| (98..102).contains(&(k / 200)) && k % 200 < 150);
         let all = psnr(&pixels, &exact, channel, |_| true);
-        assert!(near_cut > 45.0 && all > 45.0, "channel {channel}: {near_cut} dB at the cut, {all} dB in all");
+        assert!(
+            near_cut > 45.0 && all > 45.0,
+            "channel {channel}: {near_cut} dB at the cut, {all} dB in all; {}",
+            golden::keep_exact("branch cut", 200, &pixels, &exact)
+        );
     }
 }
 

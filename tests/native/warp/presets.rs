@@ -3,8 +3,8 @@
 //! The truth is dense supersampling. What a point of a push-forward shows is found by closed forms: candidates for f⁻¹(w),
 //! of which those count that the formula itself takes back to w.
 
-use crate::support::c;
 use crate::support::picture::{Picture, Truth};
+use crate::support::{c, golden};
 use conformal_warp::presets::{PRESETS, Preset};
 use conformal_warp::{Complex64, FormulaMap, Frame};
 use conformal_warp::{Direction, Light, Quality, Texture, Warp, WarpOptions, Wrap};
@@ -96,7 +96,11 @@ fn assert_alpha(what: &str, pixels: &[u8], exact: &[[f64; 4]], radius: usize) {
                 *count += 1;
                 let found = pixels[4 * k + 3];
                 let place = (k % SIDE, k / SIDE);
-                assert!((f64::from(found) - alpha).abs() <= 1.0, "{what}: alpha {found} at {place:?}, not {alpha}");
+                assert!(
+                    (f64::from(found) - alpha).abs() <= 1.0,
+                    "{what}: alpha {found} at {place:?}, not {alpha}; {}",
+                    golden::keep_exact(what, SIDE, pixels, exact)
+                );
             }
         }
     }
@@ -176,7 +180,12 @@ fn assert_smooth(what: &str, pixels: &[u8], exact: &[[f64; 4]], smooth: &[bool])
                 let (found, place) = (pixels[4 * k + channel], (k % SIDE, k / SIDE));
                 let error = (f64::from(found) - exact[k][channel]).abs();
                 let limit = 2.0 + 0.1 * (high - low);
-                assert!(error < limit, "{what}: {found} at {place:?}, not {:.1} ± {limit:.1}", exact[k][channel]);
+                assert!(
+                    error < limit,
+                    "{what}: {found} at {place:?}, not {:.1} ± {limit:.1}; {}",
+                    exact[k][channel],
+                    golden::keep_exact(what, SIDE, pixels, exact)
+                );
             }
         }
     }
