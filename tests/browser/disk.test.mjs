@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { disk, drag, handle, middle, onPhoto, openPage, openQuarters, screenshot, settled, startBrowser } from "./support/page.mjs";
+import { disk, drag, handle, middle, onPhoto, openPage, openQuarters, screenshot, settled, startBrowser, toggle } from "./support/page.mjs";
 
 /** @type {Awaited<ReturnType<typeof startBrowser>>} */
 let session;
@@ -147,19 +147,19 @@ test("triangles and polar grid are drawn on both sides, and the address remember
     }, id);
   const bare = [await inked("photo"), await inked("disk-lines")];
   assert.equal(bare[1], 0, "lines on the disk before any were asked for");
-  await page.locator("#mesh").click();
+  await toggle(page, "mesh");
   const meshed = [await inked("photo"), await inked("disk-lines")];
   assert.ok(meshed[0] !== bare[0] && meshed[1] !== 0, "no triangles");
-  await page.locator("#mesh").click();
-  await page.locator("#grid").click();
+  await toggle(page, "mesh");
+  await toggle(page, "grid");
   const gridded = [await inked("photo"), await inked("disk-lines")];
   assert.ok(gridded[0] !== bare[0] && gridded[0] !== meshed[0] && gridded[1] !== 0, "no polar grid");
   assert.match(page.url(), /show=grid$/);
   await page.reload();
   await settled(page, "ready");
-  assert.equal(await page.locator("#grid").getAttribute("aria-pressed"), "true");
+  assert.ok(await page.locator("#grid").isChecked());
   assert.equal(await inked("disk-lines"), gridded[1]);
-  await page.locator("#mesh").click();
+  await toggle(page, "mesh");
   await screenshot(page, "triangles-and-grid");
   assert.deepEqual(errors, []);
   await close();

@@ -115,6 +115,7 @@ for (const path of pages) {
       assert.deepEqual(await violations(), []);
       if (path === "") {
         await page.locator("#draw").click();
+        await page.locator("#show").click();
         await page.locator("#mesh").click();
         assert.deepEqual(await violations(), []);
       }

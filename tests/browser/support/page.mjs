@@ -70,6 +70,14 @@ export async function settled(page, state) {
   await page.waitForFunction((wanted) => document.body.dataset.state === wanted, state);
 }
 
+/** Switches what is shown over the pictures, by the menu under Show. @param {Page} page @param {string} name */
+export async function toggle(page, name) {
+  await page.locator("#show").click();
+  await page.locator(`#${name}`).click();
+  await page.keyboard.press("Escape");
+  await settled(page, "ready");
+}
+
 /** @param {Page} page @param {string} name */
 export async function screenshot(page, name) {
   await page.evaluate(() => document.fonts.ready);

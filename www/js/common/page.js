@@ -29,8 +29,26 @@ export const press = (id, on) => element(id).setAttribute("aria-pressed", String
 
 /** Says what went wrong beside the picture, which stays as good as it was; "" for nothing. @param {string} words */
 export function remark(words) {
+  say(words, false);
+}
+
+/** Says what was done. @param {string} words */
+export function tell(words) {
+  say(words, true);
+  clearTimeout(fading);
+  fading = setTimeout(() => element("remark").classList.contains("well") && say("", true), TOLD);
+}
+
+/** What was done is said for so long, in milliseconds. */
+const TOLD = 10_000;
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let fading;
+
+/** @param {string} words @param {boolean} well */
+function say(words, well) {
   const place = /** @type {HTMLElement} */ (element("remark"));
   place.hidden = words === "";
+  place.classList.toggle("well", well);
   const text = place.querySelector("p");
   if (text) text.textContent = words;
 }
@@ -68,9 +86,9 @@ export function watchErrors() {
   place.append(document.createElement("p"), dismiss);
   document.body.append(place);
   /** @param {unknown} reason */
-  const tell = (reason) => remark(`Something on this page went wrong: ${wordsOf(reason)}. What you see is kept; reload the page if it does not answer.`);
-  window.addEventListener("error", ({ error, message }) => tell(error ?? message));
-  window.addEventListener("unhandledrejection", ({ reason }) => tell(reason));
+  const complain = (reason) => remark(`Something on this page went wrong: ${wordsOf(reason)}. What you see is kept; reload the page if it does not answer.`);
+  window.addEventListener("error", ({ error, message }) => complain(error ?? message));
+  window.addEventListener("unhandledrejection", ({ reason }) => complain(reason));
 }
 
 /** The rows of the evidence. @param {[name: string, value: string, meaning: string][]} rows */

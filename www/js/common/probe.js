@@ -1,6 +1,6 @@
-// The linked cursor: a small cross-haired circle under the pointer, and its image in the other panel.
+// The linked cursor: a small figure under the pointer, or pinned to a place, and its image in the other panel.
 
-import { toPixels, toPlane } from "./frame.js";
+import { scaleOf, toPixels, toPlane } from "./frame.js";
 import { pathData, pixelOf, set, svg } from "./svg.js";
 
 /** @typedef {import("./frame.js").Frame} Frame */
@@ -14,16 +14,27 @@ import { pathData, pixelOf, set, svg } from "./svg.js";
 /** @typedef {{ root: SVGSVGElement, frame: Frame }} View */
 /** What the map does near the pointer: pixels per pixel, and degrees counter-clockwise. @typedef {{ stretch: number, turn: number }} Reading */
 
-/** In pixels of the panel that the pointer is in. */
-const RADIUS = 15;
-/** Images of neighbours that are farther apart than this lie on two sides of a branch cut. */
+/** What is carried: a small figure. @typedef {"circle" | "square" | "letter"} Figure */
+/** Where it stays while no pointer leads it: `reach` is its size in the plane. @typedef {{ side: Side, at: Point, reach: number }} Pin */
+
+/** Half its width, in pixels of the panel that the pointer is in. */
+export const REACH = 15;
+/** Images of neighbours that are farther apart than this lie on two sides of a branch cut; in pixels, for a figure of the usual size. */
 const TEAR = 80;
 /** The step of the difference quotient, in pixels. */
 const STEP = 2;
+/** A pin is taken hold of so near to its middle at least, in pixels. */
+const HOLD = 16;
+/** Arrow keys, in pixels. @type {Map<string, Point>} */
+const KEYS = new Map([["ArrowLeft", [-2, 0]], ["ArrowRight", [2, 0]], ["ArrowUp", [0, -2]], ["ArrowDown", [0, 2]]]);
 
 export class Probe {
+  /** @type {Figure} */ figure = "circle";
+  reach = REACH;
+  /** @type {Pin | null} */ #pin = null;
   /** @type {Record<Side, View>} */ #views;
   /** @type {Record<Side, SVGPathElement>} */ #marks;
+  #handle = svg("circle", { class: "pin", "data-part": "probe", role: "button", tabindex: 0, "aria-label": "The probe; arrow keys move it", visibility: "hidden" });
   #carrier;
   #onReading;
   /** Counts the places: an answer to an older one is late. */
@@ -42,9 +53,32 @@ export class Probe {
       const { root } = this.#views[side];
       this.#marks[side].classList.add("probe");
       root.append(this.#marks[side]);
-      root.addEventListener("pointermove", (event) => this.#look(side, pixelOf(root, event)));
-      root.addEventListener("pointerleave", () => this.hide());
+      root.addEventListener("pointermove", (event) => {
+        if (!this.#pin) this.#look(side, toPlane(this.#views[side].frame, pixelOf(root, event)), this.reach / scaleOf(this.#views[side].frame));
+      });
+      root.addEventListener("pointerleave", () => !this.#pin && this.hide());
     }
+    this.#followHandle();
+  }
+
+  get pinned() {
+    return this.#pin !== null;
+  }
+
+  /** Stays in a place; null lets the pointer lead again. @param {{ side: Side, at: Point } | null} place */
+  pin(place) {
+    this.#pin = place && { ...place, reach: this.reach / scaleOf(this.#views[place.side].frame) };
+    set(this.#handle, { visibility: place ? "visible" : "hidden" });
+    if (place) this.#views[place.side].root.append(this.#handle);
+    else this.hide();
+    this.refresh();
+  }
+
+  /** Another figure, or another size. @param {Figure} figure @param {number} reach in pixels */
+  become(figure, reach) {
+    this.figure = figure;
+    this.reach = reach;
+    if (this.#pin) this.pin(this.#pin);
   }
 
   hide() {
@@ -53,22 +87,75 @@ export class Probe {
     this.#onReading(null);
   }
 
-  /** @param {Side} side @param {Point} pixel */
-  async #look(side, pixel) {
+  /** What is pinned, anew: the map or a view has changed. */
+  refresh() {
+    if (!this.#pin) return;
+    const { side, at, reach } = this.#pin;
+    const { frame } = this.#views[side];
+    const [cx, cy] = toPixels(frame, at);
+    set(this.#handle, { cx, cy, r: Math.max(HOLD, reach * scaleOf(frame)) });
+    this.#look(side, at, reach);
+  }
+
+  /** @param {Side} side @param {Point} at @param {number} reach both in the plane */
+  async #look(side, [x, y], reach) {
     const place = ++this.#place;
     const other = side === "source" ? "target" : "source";
     const [here, there] = [this.#views[side].frame, this.#views[other].frame];
-    const lines = probeLines(pixel);
-    const points = [pixel, /** @type {Point} */ ([pixel[0] + STEP, pixel[1]]), ...lines.flat()].map((p) => toPlane(here, p));
+    const lines = FIGURES[this.figure].map((line) => line.map(([u, v]) => /** @type {Point} */ ([x + reach * u, y + reach * v])));
+    const points = [/** @type {Point} */ ([x, y]), /** @type {Point} */ ([x + STEP / scaleOf(here), y]), ...lines.flat()];
     const carried = this.#carrier()?.carry(side, points);
     const images = carried instanceof Promise ? await carried : carried;
     if (place !== this.#place) return;
     const [middle, right, ...rest] = (images ?? []).map((p) => p && toPixels(there, p));
-    if (!middle) return this.hide();
-    set(this.#marks[side], { d: lines.map((line) => pathData(line, false)).join("") });
-    const parts = lines.flatMap((line) => runs(rest.splice(0, line.length)));
+    if (!middle && !this.#pin) return this.hide();
+    set(this.#marks[side], { d: lines.map((line) => pathData(line.map((p) => toPixels(here, p)), false)).join("") });
+    const tear = TEAR * Math.max(1, (reach * scaleOf(here)) / REACH);
+    const parts = lines.flatMap((line) => runs(rest.splice(0, line.length), tear));
     set(this.#marks[other], { d: parts.map((line) => pathData(line, false)).join("") });
-    this.#onReading(right ? reading(side, middle, right) : null);
+    this.#onReading(middle && right ? reading(side, middle, right) : null);
+  }
+
+  #followHandle() {
+    const handle = this.#handle;
+    /** @type {{ pointer: number, grip: Point } | null} */
+    let hold = null;
+    handle.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0 || !this.#pin) return;
+      // It lies over what else would be taken hold of.
+      event.stopPropagation();
+      event.preventDefault();
+      handle.setPointerCapture(event.pointerId);
+      handle.focus();
+      const { root, frame } = this.#views[this.#pin.side];
+      const [[x, y], [cx, cy]] = [pixelOf(root, event), toPixels(frame, this.#pin.at)];
+      hold = { pointer: event.pointerId, grip: [cx - x, cy - y] };
+    });
+    handle.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
+    handle.addEventListener("pointermove", (event) => {
+      if (hold?.pointer !== event.pointerId || !this.#pin) return;
+      event.stopPropagation();
+      const [x, y] = pixelOf(this.#views[this.#pin.side].root, event);
+      this.#moveTo([x + hold.grip[0], y + hold.grip[1]]);
+    });
+    for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) handle.addEventListener(end, () => (hold = null));
+    handle.addEventListener("keydown", (event) => {
+      const step = KEYS.get(event.key);
+      if (!step || !this.#pin) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const times = event.shiftKey ? 8 : 1;
+      const [x, y] = toPixels(this.#views[this.#pin.side].frame, this.#pin.at);
+      this.#moveTo([x + times * step[0], y + times * step[1]]);
+    });
+  }
+
+  /** @param {Point} pixel of the panel in which it is pinned */
+  #moveTo([x, y]) {
+    if (!this.#pin) return;
+    const { frame } = this.#views[this.#pin.side];
+    this.#pin.at = toPlane(frame, [Math.min(frame.pixels[0], Math.max(0, x)), Math.min(frame.pixels[1], Math.max(0, y))]);
+    this.refresh();
   }
 }
 
@@ -87,24 +174,30 @@ export function readingWords({ stretch, turn }, what) {
   return `Here the ${what} is ${size} and turned ${angle}°${angle ? (turn > 0 ? " to the left" : " to the right") : ""}.`;
 }
 
-/** The circle and its two hairs. @param {Point} middle @returns {Point[][]} */
-function probeLines([x, y]) {
-  /** @type {(count: number, at: (s: number) => Point) => Point[]} */
-  const sample = (count, at) => Array.from({ length: count + 1 }, (_, k) => at(k / count));
-  return [
-    sample(48, (s) => [x + RADIUS * Math.cos(2 * Math.PI * s), y + RADIUS * Math.sin(2 * Math.PI * s)]),
-    sample(12, (s) => [x + RADIUS * (2 * s - 1), y]),
-    sample(12, (s) => [x, y + RADIUS * (2 * s - 1)]),
-  ];
+/** A line with points so close together that its image looks smooth. @param {Point[]} corners @param {number} [steps] a piece @returns {Point[]} */
+function dense(corners, steps = 12) {
+  return corners.flatMap((a, k) => {
+    const b = corners[k + 1];
+    return b ? Array.from({ length: steps }, (_, n) => /** @type {Point} */ ([a[0] + ((b[0] - a[0]) * n) / steps, a[1] + ((b[1] - a[1]) * n) / steps])) : [a];
+  });
 }
 
-/** The stretches of a line that have an image, parted where the map tears. @param {(Point | null)[]} line @returns {Point[][]} */
-function runs(line) {
+const HAIRS = [dense([[-1, 0], [1, 0]]), dense([[0, -1], [0, 1]])];
+
+/** The lines of each figure, within [−1, 1]². @type {Record<Figure, Point[][]>} */
+const FIGURES = {
+  circle: [Array.from({ length: 65 }, (_, k) => [Math.cos((2 * Math.PI * k) / 64), Math.sin((2 * Math.PI * k) / 64)]), ...HAIRS],
+  square: [dense([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]], 16), ...HAIRS],
+  letter: [dense([[-0.6, -1], [-0.6, 1], [0.7, 1], [0.7, 0.6], [-0.15, 0.6], [-0.15, 0.2], [0.45, 0.2], [0.45, -0.2], [-0.15, -0.2], [-0.15, -1], [-0.6, -1]], 10)],
+};
+
+/** The stretches of a line that have an image, parted where the map tears. @param {(Point | null)[]} line @param {number} tear @returns {Point[][]} */
+function runs(line, tear) {
   /** @type {Point[][]} */
   const found = [[]];
   for (const p of line) {
     const last = found[found.length - 1].at(-1);
-    if (!p || (last && Math.hypot(p[0] - last[0], p[1] - last[1]) > TEAR)) found.push([]);
+    if (!p || (last && Math.hypot(p[0] - last[0], p[1] - last[1]) > tear)) found.push([]);
     if (p) found[found.length - 1].push(p);
   }
   return found.filter((run) => run.length > 1);

@@ -2,6 +2,7 @@
 
 import { FoveatedTexture, Region, RetinoCorticalMap, Texture } from "../../pkg/index.js";
 import { flatten, unflatten } from "../common/frame.js";
+import { readOutline } from "../editor/read-outline.js";
 import { GRID, onSide, SMALL_CIRCLES } from "./field.js";
 import { hemisphereFrames, NO_HALF, panelFrame } from "./layout.js";
 import { cortexOf, finite, HEMISPHERES } from "./maps.js";
@@ -265,8 +266,10 @@ function linesOver(gaze) {
 /** An outline from text. Whether it can be one at all is known before it is shown. @param {string} text @param {number} scale @returns {{ outline: Point[] } | { refusal: string }} */
 function parseOutline(text, scale) {
   try {
-    const outline = Region.parseOutline(text, { scale });
-    const points = unflatten(outline);
+    const found = readOutline(text);
+    if ("refusal" in found) return found;
+    const points = found.outline.map(([x, y]) => /** @type {Point} */ ([scale * x, scale * y]));
+    const outline = flatten(points);
     const middle = /** @type {Point} */ ([0, 1].map((k) => points.reduce((sum, p) => sum + p[k], 0) / points.length));
     try {
       new Region({ boundary: outline, center: middle, toward: points[0] ?? middle }).free();

@@ -8,14 +8,17 @@ import { flatten, onGrid } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
 import { attempt, element, pictureFor, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
 import { Probe } from "../common/probe.js";
+import { probeRow } from "../common/probe-menu.js";
 import { offerToSave } from "../common/save-menu.js";
 import { careFor, Scheduler } from "../common/scheduler.js";
 import { documentOf } from "../editor/document.js";
 import { Editor } from "../editor/edit.js";
 import { failureWords, probeWords, rows } from "../editor/evidence.js";
+import { looksLikeOutline } from "../editor/outline-text.js";
+import { OutlineReader } from "../editor/outline-dialog.js";
 import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
-import { defaultRegion, photoRegion, shapeRegion } from "../editor/presets.js";
+import { defaultRegion, photoRegion, READ, shapeRegion } from "../editor/presets.js";
 import { makeRegion, towardPoint } from "../editor/region.js";
 import { NOTHING_SHOWN, Store } from "../editor/store.js";
 import { drawingFields, drawingSchema, encodeDrawing, encodeShown, shownOf, shownSchema } from "../editor/url.js";
@@ -53,6 +56,11 @@ const pen = new Pen({
   onMode: (drawing) => store.setMode(drawing ? "draw" : "edit"),
   onOutline: (outline) => store.commit({ region: makeRegion(outline) }),
 });
+const outlines = new OutlineReader({
+  parse: (text) => scheduler.ask({ what: "outline", text }),
+  photo: () => picture.frame,
+  use: (outline) => replaceRegion(makeRegion(outline)),
+});
 const locator = () => outcome?.locator ?? null;
 new Traveller(store, diskView, locator);
 const probe = new Probe(photoView, diskView, locator, (reading) => {
@@ -64,13 +72,13 @@ const controls = new Controls(store, {
   remove: () => editor.removeSelected(),
   reset: () => replaceRegion(defaultRegion(picture)),
   photo: (id) => openPicture(loadPicture(id)),
-  shape: (name) => replaceRegion(shapeRegion(name, picture.frame.pixels)),
+  shape: (name) => (name === READ ? outlines.ask() : replaceRegion(shapeRegion(name, picture.frame.pixels))),
   upright: () => {
     const region = outcome && upright(store.doc.region, outcome.locator);
     if (region) store.commit({ region });
   },
   stop: () => scheduler.stop(),
-});
+}, probeRow(probe, () => ({ side: "source", at: store.doc.region.center })));
 
 await start();
 
@@ -79,7 +87,7 @@ async function start() {
   store.begin(doc);
   store.shown = shown;
   store.subscribe(onChange);
-  acceptFiles(element("file"), element("photo-stage"), (file) => openPicture(addPicture(file)));
+  acceptFiles(element("file"), element("photo-stage"), (file) => openPicture(addPicture(file)), { take: (text, name) => outlines.take(text, name), looksLike: looksLikeOutline });
   offerToSave({
     name: "disk",
     script,
@@ -145,6 +153,7 @@ function refresh(solving, dragging) {
   if (solving) probe.hide();
   layOut();
   draw();
+  probe.refresh();
   if (solving) solve(dragging);
 }
 
@@ -208,5 +217,6 @@ function onResult(result, done) {
   outcome = new Outcome(result);
   diskView.paint(result);
   draw();
+  probe.refresh();
   if (done) showEvidence(rows(result.evidence));
 }

@@ -3,7 +3,8 @@
 import { onUndoKeys } from "../common/keys.js";
 import { press } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
-import { shapes } from "../editor/presets.js";
+import { listShapes } from "../editor/presets.js";
+import { showMenu } from "./show-menu.js";
 
 /** @typedef {import("../common/images.js").Picture} Picture */
 /** @typedef {import("../editor/store.js").Store} Store */
@@ -28,14 +29,17 @@ export class Controls {
   #store;
   #photo;
   /** @type {HTMLSelectElement} */ #shape = find("choose-shape");
-  #buttons = findAll("draw", "remove", "undo", "redo", "reset", "mesh", "grid", "upright", "open", "stop");
+  #buttons = findAll("draw", "remove", "undo", "redo", "reset", "upright", "open", "stop");
 
-  /** @param {Store} store @param {Actions} actions */
-  constructor(store, actions) {
+  #showShown;
+
+  /** @param {Store} store @param {Actions} actions @param {HTMLElement} probe the row of a menu */
+  constructor(store, actions, probe) {
     this.#store = store;
-    const { draw, remove, undo, redo, reset, mesh, grid, upright, open, stop } = this.#buttons;
+    this.#showShown = showMenu(store, find("show"), probe);
+    const { draw, remove, undo, redo, reset, upright, open, stop } = this.#buttons;
     this.#photo = new PhotoChoice(find("choose-photo"), actions.photo);
-    this.#shape.append(...[...shapes].map(([name, { title }]) => new Option(title, name)));
+    listShapes(this.#shape);
     this.#shape.onchange = () => {
       actions.shape(this.#shape.value);
       this.#shape.value = "";
@@ -47,8 +51,6 @@ export class Controls {
     stop.onclick = actions.stop;
     undo.onclick = () => store.undo();
     redo.onclick = () => store.redo();
-    mesh.onclick = () => store.show({ mesh: !store.shown.mesh });
-    grid.onclick = () => store.show({ grid: !store.shown.grid });
     open.onclick = () => find("file").click();
     onUndoKeys(
       () => store.undo(),
@@ -58,14 +60,13 @@ export class Controls {
 
   /** Shows the state. @param {Picture} picture */
   update(picture) {
-    const { doc, mode, selected, shown, canUndo, canRedo } = this.#store;
+    const { doc, mode, selected, canUndo, canRedo } = this.#store;
     const { remove, undo, redo } = this.#buttons;
     undo.disabled = !canUndo;
     redo.disabled = !canRedo;
     remove.disabled = selected === null || doc.region.boundary.length <= 3 || mode === "draw";
     press("draw", mode === "draw");
-    press("mesh", shown.mesh);
-    press("grid", shown.grid);
+    this.#showShown();
     this.#photo.show(picture);
     document.body.dataset.mode = mode;
   }

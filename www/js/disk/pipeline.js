@@ -3,6 +3,7 @@
 import { JointTriangulation, Texture } from "../../pkg/index.js";
 import { diskFrame, scaledTo } from "../common/frame.js";
 import { arrowLines, meshEdges } from "../common/layers.js";
+import { readOutline } from "../editor/read-outline.js";
 import { SolvedMap } from "../editor/solved-map.js";
 import { CIRCLE_FENCE, circleLine, diskLines, fenceOf, heatOf, regionLines } from "./field.js";
 
@@ -107,6 +108,11 @@ export class RegionPipeline {
     const source = { lines: grid ? regionLines(map, grid) : [], fence: measure ? fenceOf(map, corners) : null, heat: field };
     const target = { lines: grid ? diskLines(grid) : [], fence: measure ? CIRCLE_FENCE  : null, heat: field && carried(mesh, field, view) };
     return { source, target };
+  }
+
+  /** @param {import("../editor/read-outline.js").OutlineQuestion} question */
+  answer({ text }) {
+    return readOutline(text);
   }
 
   /** A picture of any size and its lines, to be saved. @param {Job} job @param {(share: number) => void} onShare @returns {Promise<Plate>} */

@@ -88,6 +88,14 @@ export const shapes = new Map(Object.entries({
   coast: { title: "Coast, 100 corners", outline: coast() },
 }));
 
+/** In the menu of shapes: one of the visitor's own. */
+export const READ = "read";
+
+/** Fills a menu with all shapes. @param {HTMLSelectElement} select */
+export function listShapes(select) {
+  select.append(...[...shapes].map(([name, { title }]) => new Option(title, name)), new Option("From a file or text\u200a…", READ));
+}
+
 /** The first region on a picture: the one drawn for the photo, or an ellipse. @param {{ id: string, frame: import("../common/frame.js").Frame }} picture @returns {Region} */
 export function defaultRegion({ id, frame }) {
   const drawing = drawn.get(id);

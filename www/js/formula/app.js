@@ -11,6 +11,8 @@ import { attempt, element, remark, statusOfPage, watchErrors, wordsOf } from "..
 import { PhotoChoice } from "../common/photo-choice.js";
 import { HOME, PlaneView } from "../common/plane-view.js";
 import { Probe, readingWords } from "../common/probe.js";
+import { menuOf } from "../common/menu.js";
+import { probeRow } from "../common/probe-menu.js";
 import { offerToSave } from "../common/save-menu.js";
 import { Scheduler } from "../common/scheduler.js";
 import { compile } from "./compile.js";
@@ -126,6 +128,7 @@ function carry(side, points) {
 function onResult(result, done) {
   source.paint(result.sourcePixels, result.source);
   target.paint(result.targetPixels, result.target);
+  probe.refresh();
   const kind = compiled.analytic ? "Analytic: angles are kept." : "Not analytic: angles are bent.";
   const time = result.warpMs < 1000 ? `${Math.max(1, Math.round(result.warpMs))} ms` : `${(result.warpMs / 1000).toFixed(1)} s`;
   element("evidence").textContent = `${kind} ${done ? `Drawn in ${time}, four samples a pixel.` : "This is a coarse picture."}`;
@@ -152,6 +155,9 @@ function connectControls() {
     drawing: "the grid, and where f takes it",
     address: () => encode(state),
   });
+  menuOf(/** @type {HTMLButtonElement} */ (element("probe")), "The probe", [
+    probeRow(probe, () => (state.direction === "pull-back" ? { side: "target", at: target.frame.center } : { side: "source", at: source.frame.center })),
+  ]);
   element("stop").onclick = () => scheduler.stop();
   offerAlone(() => show(false));
   goAlong(() => (state.image === usual.image || state.image === "lattice" ? /** @type {Record<string, string>} */ ({}) : { image: state.image }));

@@ -9,10 +9,14 @@ import { newStep, redoNext, undoLast } from "../common/history.js";
 import { onUndoKeys } from "../common/keys.js";
 import { element, press, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
 import { Probe } from "../common/probe.js";
+import { menuOf } from "../common/menu.js";
+import { probeRow } from "../common/probe-menu.js";
 import { offerToSave } from "../common/save-menu.js";
 import { careFor, Scheduler } from "../common/scheduler.js";
 import { documentOf } from "../editor/document.js";
 import { failureWords, pairRows, probeWords } from "../editor/evidence.js";
+import { OutlineReader } from "../editor/outline-dialog.js";
+import { looksLikeOutline } from "../editor/outline-text.js";
 import { frameOf } from "../editor/presets.js";
 import { drawingFields, drawingSchema, encodeDrawing } from "../editor/url.js";
 import { firstFrom, firstTo } from "./first.js";
@@ -42,7 +46,12 @@ let visiting = false;
 
 const first = read(firstFrom, firstTo);
 let showMesh = first.mesh ?? false;
-const [from, to] = await Promise.all([Side.open("from", first.from), Side.open("to", first.to)]);
+const [from, to] = await Promise.all([Side.open("from", first.from, wishOutline), Side.open("to", first.to, wishOutline)]);
+const outlines = new OutlineReader({
+  parse: (text) => scheduler.ask({ what: "outline", text }),
+  photo: () => active.picture.frame,
+  use: (outline) => active.useOutline(outline),
+});
 const stores = [from.store, to.store];
 active = from;
 
@@ -58,6 +67,12 @@ connectControls();
 new ResizeObserver(() => refresh(true)).observe(element("panels"));
 refresh(true);
 if (!first.wrong.length) remember();
+
+/** An outline is asked for, for that side. @param {Side} side */
+function wishOutline(side) {
+  active = side;
+  outlines.ask();
+}
 
 /** @param {string} prefix */
 function prefixed(prefix) {
@@ -101,6 +116,7 @@ async function onChange(side, change) {
 function refresh(solving, dragging = false) {
   layOut();
   draw();
+  probe.refresh();
   if (solving) solve(dragging);
 }
 
@@ -143,8 +159,9 @@ function draw() {
 
 /** @param {Result} result @param {boolean} done */
 function onResult(result, done) {
-  outcome = new Outcome(result, { carry: (side, points) => scheduler.ask({ side, points }) });
+  outcome = new Outcome(result, { carry: (side, points) => scheduler.ask({ what: "points", side, points }) });
   draw();
+  probe.refresh();
   if (done) showEvidence(pairRows(result.evidence));
 }
 
@@ -173,6 +190,7 @@ function connectControls() {
     drawing: "both outlines, their vectors and triangles",
     address,
   });
+  menuOf(/** @type {HTMLButtonElement} */ (element("probe")), "The probe", [probeRow(probe, () => ({ side: "source", at: from.store.doc.region.center }))]);
   element("stop").onclick = () => scheduler.stop();
   offerAlone(() => refresh(true));
   const file = /** @type {HTMLInputElement} */ (element("file"));
@@ -185,7 +203,7 @@ function connectControls() {
     element(`${name}-undo`).onclick = () => undoLast(sharing(side, "lastStep"));
     element(`${name}-redo`).onclick = () => redoNext(sharing(side, "nextStep"));
   }
-  acceptFiles(file, element("panels"), (chosen) => active.openFile(chosen));
+  acceptFiles(file, element("panels"), (chosen) => active.openFile(chosen), { take: (text, name) => outlines.take(text, name), looksLike: looksLikeOutline });
   goAlong(() => drawingFields(from.store.doc, firstFrom));
   window.addEventListener("hashchange", visit);
   onUndoKeys(

@@ -4,6 +4,7 @@ import { JointTriangulation, RegionMap, Texture } from "../../pkg/index.js";
 import { flatten, scaledTo, unflatten } from "../common/frame.js";
 import { arrowLines, meshEdges } from "../common/layers.js";
 import { bitmapOf } from "../common/plate.js";
+import { readOutline } from "../editor/read-outline.js";
 import { SolvedMap } from "../editor/solved-map.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
@@ -119,8 +120,10 @@ export class RegionsPipeline {
     };
   }
 
-  /** Points carried by the map itself, where there is no mesh that the page could ask. @param {{ side: Side, points: Point[] }} question @returns {(Point | null)[] | null} */
-  answer({ side, points }) {
+  /** An outline from text; points carried by the map itself, where there is no mesh that the page could ask. @param {{ what: "points", side: Side, points: Point[] } | import("../editor/read-outline.js").OutlineQuestion} question */
+  answer(question) {
+    if (question.what === "outline") return readOutline(question.text);
+    const { side, points } = question;
     const flat = flatten(points);
     const images = side === "source" ? this.#between?.forward(flat) : this.#between?.inverse(flat);
     return images ? unflatten(images).map((p) => (Number.isFinite(p[0]) ? p : null)) : null;

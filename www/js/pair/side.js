@@ -8,7 +8,7 @@ import { PhotoChoice } from "../common/photo-choice.js";
 import { Editor } from "../editor/edit.js";
 import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
-import { defaultRegion, shapeRegion, shapes } from "../editor/presets.js";
+import { defaultRegion, listShapes, READ, shapeRegion } from "../editor/presets.js";
 import { makeRegion, towardPoint } from "../editor/region.js";
 import { NOTHING_SHOWN, Store } from "../editor/store.js";
 
@@ -23,13 +23,13 @@ export class Side {
   #photo;
   /** @type {(name: string) => HTMLElement} */ #find;
 
-  /** The pictures of a document first. @param {string} name @param {Document} doc */
-  static async open(name, doc) {
-    return new Side(name, doc, await pictureFor(doc.image));
+  /** The pictures of a document first. @param {string} name @param {Document} doc @param {(side: Side) => void} wishOutline asks for an outline of the visitor's own */
+  static async open(name, doc, wishOutline) {
+    return new Side(name, doc, await pictureFor(doc.image), wishOutline);
   }
 
-  /** @param {string} name the start of its elements' ids @param {Document} doc @param {Picture} picture */
-  constructor(name, doc, picture) {
+  /** @param {string} name the start of its elements' ids @param {Document} doc @param {Picture} picture @param {(side: Side) => void} wishOutline */
+  constructor(name, doc, picture, wishOutline) {
     this.#find = (part) => element(`${name}-${part}`);
     this.picture = picture;
     const store = new Store(doc, NOTHING_SHOWN);
@@ -43,7 +43,7 @@ export class Side {
       onOutline: (outline) => store.commit({ region: makeRegion(outline) }),
     });
     this.#photo = new PhotoChoice(/** @type {HTMLSelectElement} */ (this.#find("choose-photo")), (id) => this.#open(loadPicture(id)));
-    this.#connect();
+    this.#connect(() => wishOutline(this));
   }
 
   /** Goes to another document. @param {Document} doc @param {number} [step] shared with the other side */
@@ -94,13 +94,25 @@ export class Side {
     /** @type {HTMLButtonElement} */ (this.#find("redo")).disabled = !canRedo;
   }
 
-  #connect() {
+  /** Takes an outline as the region. @param {import("../common/frame.js").Point[]} outline */
+  useOutline(outline) {
+    this.#replace(makeRegion(outline));
+  }
+
+  /** @param {import("../editor/region.js").Region} region */
+  #replace(region) {
+    this.#pen.cancel();
+    this.store.commit({ region });
+  }
+
+  /** @param {() => void} wishOutline asks for an outline of the visitor's own */
+  #connect(wishOutline) {
     const { store } = this;
     const shape = /** @type {HTMLSelectElement} */ (this.#find("choose-shape"));
-    shape.append(...[...shapes].map(([name, { title }]) => new Option(title, name)));
+    listShapes(shape);
     shape.onchange = () => {
-      this.#pen.cancel();
-      store.commit({ region: shapeRegion(shape.value, this.picture.frame.pixels) });
+      if (shape.value === READ) wishOutline();
+      else this.#replace(shapeRegion(shape.value, this.picture.frame.pixels));
       shape.value = "";
     };
     this.#find("draw").onclick = () => (store.mode === "draw" ? this.#pen.cancel() : this.#pen.begin());
