@@ -42,6 +42,35 @@ pub enum Error {
         /// The center given.
         center: Complex64,
     },
+    /// Two parts of a boundary cross or touch.
+    #[error("{} crosses or touches {} near {}; move them apart.", capital(&part(*.first)), part(*.second), place(.at))]
+    HolesMeet {
+        /// The hole that meets another part of the boundary, counted from 0.
+        first: Option<usize>,
+        /// The hole that it meets; none for the outer boundary.
+        second: Option<usize>,
+        /// A point near the meeting place.
+        at: Complex64,
+    },
+    /// A hole that does not lie where a hole can be.
+    #[error("Hole {hole} (counted from 0) lies {}; a hole must lie inside the boundary, and outside the other holes.",
+        inside.map_or_else(|| "outside the boundary".to_string(), |other| format!("inside hole {other}")))]
+    HoleOutside {
+        /// The hole, counted from 0.
+        hole: usize,
+        /// The hole that it lies in; none if it lies outside the outer boundary.
+        inside: Option<usize>,
+    },
+    /// A region of another kind than the map is for.
+    #[error("{what} needs {needed}; this region has {found}.")]
+    WrongRegion {
+        /// The map.
+        what: &'static str,
+        /// The regions it is for.
+        needed: &'static str,
+        /// What was given.
+        found: String,
+    },
     /// A frame whose width or pixel counts are not usable.
     #[error("A frame needs a finite center, a positive finite width and at least 1x1 pixels: {reason}.")]
     InvalidFrame {
@@ -214,6 +243,9 @@ impl Error {
             Self::SelfIntersecting { .. } => "self-intersecting",
             Self::InvalidOutline { .. } => "invalid-outline",
             Self::CenterOutside { .. } => "center-outside",
+            Self::HolesMeet { .. } => "holes-meet",
+            Self::HoleOutside { .. } => "hole-outside",
+            Self::WrongRegion { .. } => "wrong-region",
             Self::InvalidFrame { .. } => "invalid-frame",
             Self::InvalidOption { .. } => "invalid-option",
             Self::WrongLength { .. } => "wrong-length",
@@ -235,6 +267,16 @@ impl Error {
             Self::Cancelled => "cancelled",
         }
     }
+}
+
+/// A part of a boundary for reading.
+fn part(hole: Option<usize>) -> String {
+    hole.map_or_else(|| "the outer boundary".to_string(), |hole| format!("hole {hole} (counted from 0)"))
+}
+
+fn capital(text: &str) -> String {
+    let (first, rest) = text.split_at(text.len().min(1));
+    first.to_uppercase() + rest
 }
 
 /// A point for reading, to seven digits of its larger coordinate.

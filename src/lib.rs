@@ -66,8 +66,11 @@ pub use error::{Error, Result};
 pub use formula::FormulaMap;
 pub use map::{Compose, Inverse, InvertibleMap, Jet, Moebius, PlaneMap};
 pub use mesh::{Density, JointTriangulation, MeshOptions, MeshStop, Route};
-pub use plane::{BoundaryPoint, Complex64, Curve, Frame, Polygon, Region, SmoothCurve, parse_outline};
-pub use riemann::{DiskPoint, RegionMap, RiemannMap};
+pub use plane::{BoundaryPoint, Complex64, Curve, Domain, Frame, Polygon, Region, SmoothCurve, parse_outline};
+pub use riemann::{
+    AnnulusMap, Circulation, Conductors, DiskPoint, Electrostatics, ExteriorMap, PotentialFlow, RegionMap, RiemannMap,
+    Slit, SlitKind, SlitMap,
+};
 pub use symm::options::{Progress, SolveOptions, Stop};
 pub use warp::{
     Direction, FoveatedTexture, Light, Overlay, PreparedWarp, Quality, Stroke, Texture, TriangleMesh, Warp,

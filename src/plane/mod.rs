@@ -1,5 +1,7 @@
-//! The plane: complex points, frames (pixels ↔ plane), polygons and regions.
+//! The plane: complex points, frames (pixels ↔ plane), polygons, regions, and domains with holes.
 
+mod contour;
+mod domain;
 mod edge_tree;
 pub(crate) mod fourier;
 mod frame;
@@ -11,11 +13,14 @@ mod smooth_curve;
 mod svg_file;
 mod svg_path;
 
+pub use contour::Curve;
+pub use domain::Domain;
+pub(crate) use domain::DomainPoint;
 pub(crate) use edge_tree::EdgeTree;
 pub use frame::Frame;
 pub use num_complex::Complex64;
 pub use outline_text::parse_outline;
 pub(crate) use polygon::ON_BOUNDARY;
 pub use polygon::{BoundaryPoint, Polygon};
-pub use region::{Curve, Region};
+pub use region::Region;
 pub use smooth_curve::SmoothCurve;

@@ -75,6 +75,35 @@ impl Polygon {
         Self { vertices: self.vertices.iter().map(|v| v + by).collect(), origin: self.origin + by, ..self.clone() }
     }
 
+    /// The same polygon clockwise, as the boundary of a hole: the region lies to the left. Everything that does not ask for an
+    /// orientation answers as before, edges being counted in the new order.
+    pub(crate) fn clockwise(&self) -> Self {
+        let mut reversed = self.clone();
+        reversed.vertices[1..].reverse();
+        reversed.scaled[1..].reverse();
+        reversed.tree = EdgeTree::new(&reversed.scaled);
+        reversed
+    }
+
+    /// The first edge that meets an edge of another polygon, that edge, and a point of both.
+    pub(crate) fn meets(&self, other: &Self) -> Option<(usize, usize, Complex64)> {
+        let scaled = |z: Complex64| (z - self.origin) * self.unit;
+        (0..other.len()).find_map(|second| {
+            let (c, d) = other.edge(second);
+            let (c, d) = (scaled(c), scaled(d));
+            let mut met: Option<usize> = None;
+            self.tree.for_each_near(c, d, |first| {
+                let (a, b) = self.scaled_edge(first);
+                if met.is_none_or(|met| first < met) && segments_meet(a, b, c, d) {
+                    met = Some(first);
+                }
+            });
+            let first = met?;
+            let (a, b) = self.scaled_edge(first);
+            Some((first, second, meeting_point(a, b, c, d) / self.unit + self.origin))
+        })
+    }
+
     /// What coordinates are best given relative to: 0, unless the polygon is small against its distance from there.
     pub(crate) fn origin(&self) -> Complex64 {
         self.origin

@@ -1,32 +1,18 @@
 //! A simply connected region with the point and direction that make its Riemann map unique.
 
-use super::polygon::ON_BOUNDARY;
+use super::contour::{Contour, Curve};
 use super::{BoundaryPoint, Complex64, Polygon, SmoothCurve};
 use crate::{Error, Result};
 use std::sync::Arc;
-
-/// How the boundary points are joined.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
-pub enum Curve {
-    /// By straight edges.
-    #[default]
-    Polygon,
-    /// By the trigonometric interpolant: a smooth curve through points that follow it evenly.
-    Smooth,
-}
 
 /// A region bounded by a simple closed curve, a `center` inside it and a `toward` point on its boundary.
 ///
 /// Its Riemann map takes `center` to 0 and `toward` to 1. Validated once here, trusted afterwards.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
-    polygon: Polygon,
-    smooth: Option<Arc<SmoothCurve>>,
+    contour: Contour,
     center: Complex64,
     toward: BoundaryPoint,
-    /// Points as near to the boundary as this are on it, as far as numbers can tell.
-    thickness: f64,
 }
 
 impl Region {
@@ -44,16 +30,9 @@ impl Region {
     /// [`Error::NotFinite`], [`Error::TooFewVertices`] and [`Error::SelfIntersecting`] for the boundary;
     /// [`Error::CenterOutside`] unless `center` is strictly inside.
     pub fn new(boundary: &[Complex64], curve: Curve, center: Complex64, toward: Complex64) -> Result<Self> {
-        let smooth = match curve {
-            Curve::Polygon => None,
-            Curve::Smooth => Some(Arc::new(SmoothCurve::new(boundary)?)),
-        };
-        let polygon = Polygon::new(smooth.as_ref().map_or(boundary, |curve| curve.points()))?;
-        let (low, high) = polygon.bounds();
-        let reach = [low.re, low.im, high.re, high.im].into_iter().map(f64::abs).fold(polygon.size(), f64::max);
-        let thickness = ON_BOUNDARY * reach * smooth.as_ref().map_or(1.0, |curve| curve.rounding());
-        let toward_0 = BoundaryPoint { edge: 0, t: 0.0, point: polygon.vertices()[0] };
-        Self { polygon, smooth, center, toward: toward_0, thickness }.with_center(center, toward)
+        let contour = Contour::new(boundary, curve)?;
+        let toward_0 = BoundaryPoint { edge: 0, t: 0.0, point: contour.polygon().vertices()[0] };
+        Self { contour, center, toward: toward_0 }.with_center(center, toward)
     }
 
     /// The same boundary with another center and direction.
@@ -66,11 +45,7 @@ impl Region {
                 return Err(Error::NotFinite { what: what.to_string() });
             }
         }
-        let inside = match &self.smooth {
-            None => self.polygon.contains_strictly(center),
-            Some(curve) => curve.signed_distance(center) > 1e-12 * self.polygon.size(),
-        };
-        if !inside {
+        if !self.contour.contains_strictly(center) {
             return Err(Error::CenterOutside { center });
         }
         Ok(Self { center, toward: self.nearest(toward), ..self.clone() })
@@ -78,58 +53,50 @@ impl Region {
 
     /// What coordinates should be given relative to, so that a region far from 0 keeps its digits; and the region there.
     pub(crate) fn local(&self) -> (Complex64, Self) {
-        let origin = self.polygon.origin();
+        let origin = self.polygon().origin();
         let toward = BoundaryPoint { point: self.toward.point - origin, ..self.toward };
-        let local = Self {
-            polygon: self.polygon.moved(-origin),
-            smooth: self.smooth.as_ref().map(|curve| Arc::new(curve.moved(-origin))),
-            center: self.center - origin,
-            toward,
-            thickness: self.thickness,
-        };
-        (origin, local)
+        (origin, Self { contour: self.contour.moved(-origin), center: self.center - origin, toward })
     }
 
     /// The boundary points, counter-clockwise.
     #[must_use]
     pub fn boundary(&self) -> &[Complex64] {
-        self.polygon.vertices()
+        self.polygon().vertices()
     }
 
     /// The polygon of the boundary points: the boundary itself, unless the curve is smooth.
     #[must_use]
     pub fn polygon(&self) -> &Polygon {
-        &self.polygon
+        self.contour.polygon()
     }
 
     /// How the boundary points are joined.
     #[must_use]
     pub fn curve(&self) -> Curve {
-        if self.smooth.is_some() { Curve::Smooth } else { Curve::Polygon }
+        self.contour.curve()
     }
 
     /// The smooth curve through the boundary points, if that is the boundary.
     #[must_use]
     pub fn smooth(&self) -> Option<&Arc<SmoothCurve>> {
-        self.smooth.as_ref()
+        self.contour.smooth()
+    }
+
+    /// The boundary itself.
+    pub(crate) fn contour(&self) -> &Contour {
+        &self.contour
     }
 
     /// The boundary point nearest to `z`.
     #[must_use]
     pub fn nearest(&self, z: Complex64) -> BoundaryPoint {
-        match &self.smooth {
-            None => self.polygon.nearest(z),
-            Some(curve) => curve.place(curve.nearest_parameter(z)),
-        }
+        self.contour.nearest(z)
     }
 
     /// The boundary point that `z` is, up to rounding.
     #[must_use]
     pub fn on_boundary(&self, z: Complex64) -> Option<BoundaryPoint> {
-        match &self.smooth {
-            None => self.polygon.nearest_within(z, self.thickness),
-            Some(_) => Some(self.nearest(z)).filter(|place| (place.point - z).norm() <= self.thickness),
-        }
+        self.contour.on_curve(z)
     }
 
     /// The point that goes to 0.
@@ -147,10 +114,7 @@ impl Region {
     /// Whether `z` lies in the closed region, to which belongs what is on the boundary up to rounding.
     #[must_use]
     pub fn contains(&self, z: Complex64) -> bool {
-        match &self.smooth {
-            None => self.polygon.contains(z) || self.polygon.nearest_within(z, self.thickness).is_some(),
-            Some(curve) => curve.signed_distance(z) >= -self.thickness,
-        }
+        self.contour.contains(z)
     }
 }
 

@@ -4,6 +4,7 @@
 //! curve; [`RegionMap`] joins two of them.
 
 mod atlas;
+mod holes;
 mod polygon;
 mod region_map;
 mod riemann_map;
@@ -12,5 +13,8 @@ mod smooth;
 mod solved_region;
 
 pub use atlas::DiskPoint;
+pub use holes::{
+    AnnulusMap, Circulation, Conductors, Electrostatics, ExteriorMap, PotentialFlow, Slit, SlitKind, SlitMap,
+};
 pub use region_map::RegionMap;
 pub use riemann_map::RiemannMap;

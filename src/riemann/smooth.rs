@@ -54,7 +54,7 @@ impl SolvedRegion for SolvedCurve {
         progress: Progress,
     ) -> Result<Arc<dyn SolvedRegion>> {
         let region = self.region.with_center(center - self.origin, self.region.toward().point)?;
-        let mut solution = self.solution.system.solve(region.center(), options.tolerance);
+        let mut solution = self.solution.moved(region.center(), options.tolerance);
         if let (Some(curve), true) = (region.smooth(), solution.needs_nodes(options.tolerance)) {
             solution = solve_smooth(curve, region.center(), options, progress)?;
         }

@@ -1,6 +1,7 @@
 //! Another center for a solved region, on the same panels.
 
 use super::options::{Progress, SolveOptions, Stop};
+use super::problem::Problem;
 use super::solution::{ERROR_PER_RESIDUAL, Solution, estimate_of, finish};
 use crate::Result;
 use crate::plane::Complex64;
@@ -23,10 +24,11 @@ pub fn move_center(
 ) -> Result<Solution> {
     let system = Arc::clone(&previous.system);
     let center = center * system.discretisation.boundary.unit;
-    let mut outcome = system.check(center, moved_measure(previous, center));
+    let problem = Problem::measure(&system.discretisation.boundary, center);
+    let mut outcome = system.check(&problem, moved_measure(previous, center));
     if estimate_of(&system.discretisation, &outcome) > options.tolerance {
         let tolerance = MOVE_SHARE * options.tolerance / ERROR_PER_RESIDUAL;
-        outcome = system.solve(center, tolerance, Some(outcome.masses), progress)?;
+        outcome = system.solve(&problem, tolerance, Some(outcome.masses), progress)?;
     }
     let error_estimate = estimate_of(&system.discretisation, &outcome);
     let stop = if error_estimate <= options.tolerance { Stop::Tolerance } else { Stop::SamePanels };

@@ -6,6 +6,7 @@ use super::options::{SolveOptions, Stop};
 use super::order::Order;
 use super::panel::{Boundary, Panel, initial_panels};
 use super::potential::LogPotential;
+use super::problem::Problem;
 use super::rule::Rules;
 use super::solution::Solution;
 use super::solve::solve;
@@ -43,7 +44,8 @@ fn error_with(region: &Region, reference: &Solution, panels: Vec<Panel>, p: usiz
     let center = region.center() * boundary.unit;
     let discretisation = Discretisation::new(boundary, panels, &mut Rules::new(Order::new(p, 15.5)));
     let system = System::new(discretisation, &mut |_, _| true)?;
-    let outcome = system.solve(center, 1e-16, None, &mut |_, _| true)?;
+    let problem = Problem::measure(&system.discretisation.boundary, center);
+    let outcome = system.solve(&problem, 1e-16, None, &mut |_, _| true)?;
     let solution = Solution {
         correspondence: BoundaryCorrespondence::new(&system.discretisation, &outcome.masses),
         potential: LogPotential::new(&outcome.masses),

@@ -26,9 +26,19 @@ impl BoundaryCorrespondence {
     /// From the node masses that solve Symm's equation; they are scaled to total mass 1.
     #[must_use]
     pub fn new(discretisation: &Discretisation, masses: &[f64]) -> Self {
+        // Where the measure is below rounding its sign is noise: angles must not run backwards there.
+        Self::with(discretisation, masses, masses.iter().sum(), &|mass| mass.max(0.0))
+    }
+
+    /// From masses of any sign, as they are.
+    #[must_use]
+    pub fn signed(discretisation: &Discretisation, masses: &[f64]) -> Self {
+        Self::with(discretisation, masses, 1.0, &|mass| mass)
+    }
+
+    fn with(discretisation: &Discretisation, masses: &[f64], total: f64, grows: &dyn Fn(f64) -> f64) -> Self {
         let order = &discretisation.order;
         let p = order.p();
-        let total: f64 = masses.iter().sum();
         let mut coefficients = Vec::with_capacity(masses.len());
         let mut starts = vec![0.0];
         let mut smallest_mass = (f64::INFINITY, 0);
@@ -42,8 +52,7 @@ impl BoundaryCorrespondence {
             if mass < smallest_mass.0 || mass.is_nan() {
                 smallest_mass = (mass, q);
             }
-            // Where the measure is below rounding its sign is noise: angles must not run backwards there.
-            starts.push(starts[starts.len() - 1] + mass.max(0.0));
+            starts.push(starts[starts.len() - 1] + grows(mass));
         }
         let edges = discretisation.boundary.len();
         let mut edge_starts = vec![0; edges + 1];
@@ -90,6 +99,19 @@ impl BoundaryCorrespondence {
     /// because panels are measured from the nearer corner.
     #[must_use]
     pub fn measure_on_edge(&self, discretisation: &Discretisation, edge: usize, from_start: f64, from_end: f64) -> f64 {
+        let (q, tau) = self.place_on_edge(discretisation, edge, from_start, from_end);
+        self.measure(discretisation, q, tau)
+    }
+
+    /// The panel of such a point, and its τ there.
+    #[must_use]
+    pub fn place_on_edge(
+        &self,
+        discretisation: &Discretisation,
+        edge: usize,
+        from_start: f64,
+        from_end: f64,
+    ) -> (usize, f64) {
         let panels = self.panels_of_edge(edge);
         let distance = |q: usize| if discretisation.panels[q].outgoing { from_start } else { from_end };
         let reached = |q: &usize| {
@@ -97,7 +119,7 @@ impl BoundaryCorrespondence {
             if panel.outgoing { distance(*q) <= panel.end } else { distance(*q) >= panel.start }
         };
         let q = panels.clone().find(reached).unwrap_or(panels.end - 1);
-        self.measure(discretisation, q, discretisation.panels[q].tau_at(distance(q)))
+        (q, discretisation.panels[q].tau_at(distance(q)))
     }
 
     /// The same as [`BoundaryCorrespondence::measure`], continued analytically to complex τ: 2π times it is −i log f beside the boundary.
@@ -120,6 +142,20 @@ impl BoundaryCorrespondence {
             (before, here) = (here, after);
         }
         0.5 * sum
+    }
+
+    /// dμ/dτ on panel `q`, continued to complex τ.
+    #[must_use]
+    pub fn complex_density(&self, q: usize, tau: Complex64) -> Complex64 {
+        let x = 2.0 * tau - 1.0;
+        let (mut before, mut here) = (Complex64::ZERO, Complex64::ONE);
+        let mut sum = Complex64::ZERO;
+        for (k, c) in self.coefficients(q).iter().enumerate() {
+            sum += here * *c;
+            let k = k as f64;
+            (before, here) = (here, (x * here * (2.0 * k + 1.0) - before * k) / (k + 1.0));
+        }
+        sum
     }
 
     /// Measure → the panel and τ where it is reached; the inverse of [`BoundaryCorrespondence::measure`].

@@ -5,6 +5,7 @@ use super::panel::{Boundary, Panel};
 use super::rule::{PanelRule, Rules};
 use super::thin_walls::ThinWalls;
 use crate::plane::Complex64;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A point of the boundary, held as a vertex and an offset from it, so that distances near the vertex keep their digits.
@@ -21,8 +22,10 @@ pub struct Target {
 pub struct Discretisation {
     /// The scaled polygon.
     pub boundary: Arc<Boundary>,
-    /// Panels in boundary order from vertex 0.
+    /// Panels in boundary order from vertex 0, component by component.
     pub panels: Vec<Panel>,
+    /// The panels of each component.
+    pub components: Vec<Range<usize>>,
     /// The rule of each panel.
     pub rules: Vec<Arc<PanelRule>>,
     /// Degrees and distances.
@@ -37,13 +40,21 @@ impl Discretisation {
     pub fn new(boundary: Arc<Boundary>, panels: Vec<Panel>, rules: &mut Rules) -> Self {
         let panel_rules = panels.iter().map(|panel| rules.of(panel)).collect();
         let walls = ThinWalls::new(&boundary, &panels);
-        Self { boundary, panels, rules: panel_rules, order: rules.order.clone(), walls }
+        let first = |edge: usize| panels.partition_point(|panel| panel.edge < edge);
+        let components = boundary.loops.iter().map(|range| first(range.start)..first(range.end)).collect();
+        Self { boundary, panels, components, rules: panel_rules, order: rules.order.clone(), walls }
     }
 
     /// Number of unknown masses.
     #[must_use]
     pub fn unknowns(&self) -> usize {
         self.panels.len() * self.order.p()
+    }
+
+    /// The unknowns of each component.
+    pub fn unknowns_of_components(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+        let p = self.order.p();
+        self.components.iter().map(move |panels| panels.start * p..panels.end * p)
     }
 
     /// The point at τ on a panel.
@@ -101,12 +112,5 @@ impl Discretisation {
             let log_scale = self.panels[q].length().ln();
             self.rules[q].add_row(&self.order, self.local(q, target), log_scale, entries);
         }
-    }
-
-    /// log|x − z₀| at the given points.
-    #[must_use]
-    pub fn log_distances(&self, targets: &[Target], center: Complex64) -> Vec<f64> {
-        let distance = |t: &Target| self.boundary.vertices[t.corner] - center + t.offset;
-        targets.iter().map(|t| 0.5 * distance(t).norm_sqr().ln()).collect()
     }
 }

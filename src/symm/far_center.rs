@@ -7,7 +7,7 @@ use super::panel::{Boundary, Panel};
 use super::potential::LogPotential;
 use super::rule::Rules;
 use super::solution::Solution;
-use super::solve::adapt;
+use super::solve::seen_from;
 use super::system::System;
 use crate::Result;
 use crate::plane::Complex64;
@@ -105,7 +105,7 @@ pub fn solve_far(
     let panels = panels.into_iter().flat_map(|panel| halved(&boundary, panel, center)).collect();
     let mut rules = Rules::new(first.discretisation.order.clone());
     let system = Arc::new(System::new(Discretisation::new(boundary, panels, &mut rules), progress)?);
-    adapt(system, rules, center, None, options, progress)
+    seen_from(center, system, rules, None, options, progress)
 }
 
 /// Panels are halved at once until they are no longer than this times their distance from the center (measured: more of

@@ -4,6 +4,7 @@ use super::discretisation::{Discretisation, Target};
 use super::lu::dot;
 use super::options::Progress;
 use crate::{Error, Result};
+use std::ops::Range;
 
 /// The linear map from node masses to ∫ log|x − y| dμ(y) at a fixed list of points x.
 pub trait Influence: Send + Sync {
@@ -35,17 +36,20 @@ impl DenseInfluence {
         Ok(Self { columns, entries })
     }
 
-    /// The row-major matrix of the whole system, with the constant c and the total mass: [A 1; 1ᵀ 0].
+    /// The row-major matrix of the whole system, with the constant and the total mass of each component, whose unknowns are
+    /// given: [A E; Eᵀ 0], a column of E being 1 on its component.
     #[must_use]
-    pub fn bordered(&self) -> Vec<f64> {
-        let n = self.columns;
-        let mut matrix = Vec::with_capacity((n + 1) * (n + 1));
-        for row in self.entries.chunks_exact(n) {
+    pub fn bordered(&self, components: &[Range<usize>]) -> Vec<f64> {
+        let (n, m) = (self.columns, components.len());
+        let mut matrix = Vec::with_capacity((n + m) * (n + m));
+        for (i, row) in self.entries.chunks_exact(n).enumerate() {
             matrix.extend_from_slice(row);
-            matrix.push(1.0);
+            matrix.extend(components.iter().map(|own| f64::from(u8::from(own.contains(&i)))));
         }
-        matrix.resize(matrix.len() + n, 1.0);
-        matrix.push(0.0);
+        for own in components {
+            matrix.extend((0..n).map(|i| f64::from(u8::from(own.contains(&i)))));
+            matrix.resize(matrix.len() + m, 0.0);
+        }
         matrix
     }
 }

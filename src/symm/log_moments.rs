@@ -24,8 +24,19 @@ fn semi_axis(zeta: Complex64) -> f64 {
 /// The logarithm is the principal one. I₀ = (ζ+1)log(ζ+1) − (ζ−1)log(ζ−1) − 2 and
 /// Iₖ = 2(Q₍ₖ₊₁₎ − Q₍ₖ₋₁₎)/(2k+1) with Legendre functions of the second kind (from d/dζ Iₖ = 2Qₖ).
 pub fn log_moments(zeta: Complex64, moments: &mut [Complex64]) {
-    let n = moments.len();
     let mut q = [Complex64::ZERO; 40];
+    fill_moments(zeta, moments, &mut q);
+}
+
+/// [`log_moments`], and their derivatives by ζ, which are ∫ Pₖ(t)/(ζ − t) dt = 2Qₖ.
+pub fn log_moments_with_slopes(zeta: Complex64, moments: &mut [Complex64], slopes: &mut [Complex64]) {
+    let mut q = [Complex64::ZERO; 40];
+    fill_moments(zeta, moments, &mut q);
+    slopes.iter_mut().zip(q).for_each(|(slope, q)| *slope = 2.0 * q);
+}
+
+fn fill_moments(zeta: Complex64, moments: &mut [Complex64], q: &mut [Complex64; 40]) {
+    let n = moments.len();
     let (plus, minus) = (zeta + 1.0, zeta - 1.0);
     let (log_plus, log_minus) = (finite_log(plus), finite_log(minus));
     q[0] = 0.5 * (log_plus - log_minus);

@@ -116,6 +116,13 @@ impl Lu {
     }
 }
 
+/// x of A·x = b, A row-major, for a few unknowns.
+#[must_use]
+pub fn small_solve(matrix: Vec<f64>, mut b: Vec<f64>) -> Vec<f64> {
+    Lu::new(b.len(), matrix).solve(&mut b);
+    b
+}
+
 /// Σ_k left[k] ⊗ right[k], both 4 wide.
 fn tile_product(left: &[[f64; TILE]], right: &[f64]) -> [[f64; TILE]; TILE] {
     let mut sums = [[0.0; TILE]; TILE];

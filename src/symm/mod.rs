@@ -16,12 +16,15 @@
 //!   where their residuals weigh most;
 //! - [`system`] solves them: by factorisation ([`lu`]) when small, else by iteration ([`gmres`]) with a preconditioner
 //!   ([`two_level`]) and products from stored entries ([`influence`]) or expansions ([`fast_multipole`], [`multipole`], [`clusters`]);
+//! - [`problem`] is what is solved for: harmonic measure, or another right-hand side of a region with holes;
 //! - [`solve`] refines ([`refinement`]) until the estimate meets the tolerance; [`center`] moves the center of what is
 //!   solved, and [`far_center`] moves it far;
 //! - [`solution`] is the answer: [`correspondence`] on the boundary, [`potential`] inside, [`local_series`] there
 //!   as power series.
 //!
-//! [`smooth`] does all this, more simply, for smooth curves.
+//! [`smooth`] does all this, more simply, for smooth curves, on a [`smooth_system`].
+//!
+//! [`field`] and [`smooth_field`] are what a [`problem`] of a region with holes gives: one analytic function, known everywhere.
 
 pub(crate) mod center;
 mod clusters;
@@ -30,6 +33,7 @@ mod discretisation;
 pub(crate) mod far_center;
 mod fast_log;
 mod fast_multipole;
+pub(crate) mod field;
 mod gmres;
 mod influence;
 mod legendre;
@@ -42,10 +46,14 @@ mod order;
 pub(crate) mod panel;
 mod panel_blocks;
 pub(crate) mod potential;
+pub(crate) mod problem;
 mod refinement;
 mod rule;
 mod series_sum;
 pub(crate) mod smooth;
+pub(crate) mod smooth_field;
+pub(crate) mod smooth_solve;
+mod smooth_system;
 pub(crate) mod solution;
 pub(crate) mod solve;
 mod system;
@@ -54,3 +62,5 @@ mod two_level;
 
 #[cfg(test)]
 mod convergence;
+
+pub(crate) use lu::small_solve;

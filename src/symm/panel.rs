@@ -1,8 +1,10 @@
 //! The boundary cut into panels, with the corner singularity put into the variable of each.
 
 use crate::plane::{Complex64, Polygon};
+use std::ops::Range;
 
-/// The polygon scaled to size about 1, with what panels need to know of its corners.
+/// The polygons around a region, scaled to size about 1, with what panels need to know of their corners. The region lies to the
+/// left of each: an outer one, if there is one, comes first and counter-clockwise, holes are clockwise.
 #[derive(Clone, Debug)]
 pub struct Boundary {
     /// Vertices × `unit`: only scaled, never moved, so that differences of vertices stay exact.
@@ -17,23 +19,49 @@ pub struct Boundary {
     pub clearances: Vec<f64>,
     /// Power of two: plane units × `unit` = units used here.
     pub unit: f64,
-    polygon: Polygon,
+    /// The vertices of each component.
+    pub loops: Vec<Range<usize>>,
+    /// Whether the first component is around the region.
+    pub bounded: bool,
+    next: Vec<usize>,
+    previous: Vec<usize>,
+    polygons: Vec<Polygon>,
 }
 
 impl Boundary {
-    /// Measures a polygon.
+    /// Measures a polygon around a region.
     #[must_use]
     pub fn new(polygon: &Polygon) -> Self {
-        let unit = (-polygon.size().log2().round()).exp2();
-        let vertices: Vec<Complex64> = polygon.vertices().iter().map(|v| v * unit).collect();
+        Self::of(vec![polygon.clone()], true)
+    }
+
+    /// Measures all components, `bounded` telling whether the first is around the region.
+    #[must_use]
+    pub fn of(polygons: Vec<Polygon>, bounded: bool) -> Self {
+        let unit = (-size_of(&polygons).log2().round()).exp2();
+        let vertices: Vec<Complex64> = polygons.iter().flat_map(|p| p.vertices()).map(|v| v * unit).collect();
         let n = vertices.len();
-        let edges: Vec<Complex64> = (0..n).map(|k| vertices[(k + 1) % n] - vertices[k]).collect();
+        let mut loops: Vec<Range<usize>> = Vec::with_capacity(polygons.len());
+        for polygon in &polygons {
+            let start = loops.last().map_or(0, |range| range.end);
+            loops.push(start..start + polygon.len());
+        }
+        let round = |step: fn(usize, usize) -> usize| {
+            loops.iter().flat_map(move |r| r.clone().map(move |k| r.start + step(k - r.start, r.len()))).collect()
+        };
+        let next: Vec<usize> = round(|k, count| (k + 1) % count);
+        let previous: Vec<usize> = round(|k, count| (k + count - 1) % count);
+        let edges: Vec<Complex64> = (0..n).map(|k| vertices[next[k]] - vertices[k]).collect();
         let lengths: Vec<f64> = edges.iter().map(|e| e.norm()).collect();
         let directions: Vec<Complex64> = edges.iter().zip(&lengths).map(|(e, length)| e / length).collect();
-        let turn = |k: usize| (directions[k] * directions[(k + n - 1) % n].conj()).arg();
+        let turn = |k: usize| (directions[k] * directions[previous[k]].conj()).arg();
         let alpha = (0..n).map(|k| 1.0 - turn(k) / std::f64::consts::PI).collect();
-        let clearances = (0..n).map(|k| polygon.clearance(k) * unit).collect();
-        Self { vertices, directions, lengths, alpha, clearances, unit, polygon: polygon.clone() }
+        let clearances = loops.iter().enumerate().flat_map(|(own, range)| {
+            let polygons = &polygons;
+            range.clone().map(move |k| clearance(polygons, own, k - range.start) * unit)
+        });
+        let clearances = clearances.collect();
+        Self { vertices, directions, lengths, alpha, clearances, unit, loops, bounded, next, previous, polygons }
     }
 
     /// Number of vertices.
@@ -45,13 +73,36 @@ impl Boundary {
     /// The vertex after `k`.
     #[must_use]
     pub fn next(&self, k: usize) -> usize {
-        (k + 1) % self.len()
+        self.next[k]
     }
 
     /// The vertex before `k`; also the edge that ends at vertex `k`.
     #[must_use]
     pub fn previous(&self, k: usize) -> usize {
-        (k + self.len() - 1) % self.len()
+        self.previous[k]
+    }
+
+    /// The component that a vertex or edge belongs to.
+    #[must_use]
+    pub fn loop_of(&self, k: usize) -> usize {
+        self.loops.partition_point(|range| range.end <= k)
+    }
+
+    /// arg(v − z) for all vertices v, continuous along each component from its first vertex, where it is principal.
+    #[must_use]
+    pub fn arguments(&self, z: Complex64) -> Vec<f64> {
+        let mut arguments: Vec<f64> = Vec::with_capacity(self.len());
+        for k in 0..self.len() {
+            let before = self.previous[k];
+            let here = self.vertices[k] - z;
+            let argument = if before + 1 == k {
+                arguments[before] + (here * (self.vertices[before] - z).conj()).arg()
+            } else {
+                here.arg()
+            };
+            arguments.push(argument);
+        }
+        arguments
     }
 
     /// The edge behind the middle of a panel, outside the region, and its distance, if that is at most `reach`.
@@ -59,8 +110,11 @@ impl Boundary {
     pub fn behind(&self, panel: &Panel, reach: f64) -> Option<(usize, f64)> {
         let middle = self.vertices[panel.corner] + panel.direction * (0.5 * (panel.start + panel.end));
         let along = if panel.outgoing { panel.direction } else { -panel.direction };
-        let (edge, distance) = self.polygon.facing(middle / self.unit, -Complex64::i() * along, reach / self.unit)?;
-        Some((edge, distance * self.unit))
+        // Only its own component comes back there.
+        let own = self.loop_of(panel.edge);
+        let facing = self.polygons[own].facing(middle / self.unit, -Complex64::i() * along, reach / self.unit);
+        let (edge, distance) = facing?;
+        Some((self.loops[own].start + edge, distance * self.unit))
     }
 
     /// The exponent a of the corner variable τ = s^(1/a) at vertex `k`.
@@ -72,6 +126,29 @@ impl Boundary {
         let a = if alpha > 1.0 { alpha } else { alpha * (1.0 / alpha + 1e-9).floor() };
         if (a - 1.0).abs() < 1e-9 { 1.0 } else { a }
     }
+}
+
+/// The larger side of the box around all.
+fn size_of(polygons: &[Polygon]) -> f64 {
+    let (mut low, mut high) = polygons[0].bounds();
+    for polygon in &polygons[1..] {
+        let (l, h) = polygon.bounds();
+        low = Complex64::new(low.re.min(l.re), low.im.min(l.im));
+        high = Complex64::new(high.re.max(h.re), high.im.max(h.im));
+    }
+    (high.re - low.re).max(high.im - low.im)
+}
+
+/// [`Polygon::clearance`] of a vertex of polygon `own`, or its distance from another polygon if that is less.
+fn clearance(polygons: &[Polygon], own: usize, vertex: usize) -> f64 {
+    let z = polygons[own].vertices()[vertex];
+    let mut least = polygons[own].clearance(vertex);
+    for (_, other) in polygons.iter().enumerate().filter(|(k, _)| *k != own) {
+        if let Some(near) = other.nearest_within(z, least) {
+            least = (near.point - z).norm();
+        }
+    }
+    least
 }
 
 /// A piece of an edge, s ∈ [start, end] from `corner` in `direction`, on which the density is a polynomial in τ ∈ [0, 1]:

@@ -1,14 +1,15 @@
 //! ∫ log(z − y) dμ(y): the logarithmic potential of a solved density, anywhere in the region.
 
 use super::discretisation::Discretisation;
+use super::panel::{Boundary, Panel};
 use crate::plane::Complex64;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::sync::OnceLock;
 
 /// The potential of given node masses.
 #[derive(Clone, Debug)]
 pub struct LogPotential {
-    /// Node masses, their sum 1.
+    /// Node masses.
     masses: Vec<f64>,
     /// What every quadrature needs of them, panel by panel; made when first asked for.
     charges: OnceLock<Vec<Vec<f64>>>,
@@ -20,6 +21,12 @@ impl LogPotential {
     pub fn new(masses: &[f64]) -> Self {
         let total: f64 = masses.iter().sum();
         Self { masses: masses.iter().map(|mass| mass / total).collect(), charges: OnceLock::new() }
+    }
+
+    /// From node masses as they are.
+    #[must_use]
+    pub fn of(masses: Vec<f64>) -> Self {
+        Self { masses, charges: OnceLock::new() }
     }
 
     fn charges(&self, discretisation: &Discretisation) -> &[Vec<f64>] {
@@ -36,17 +43,39 @@ impl LogPotential {
     pub fn at(&self, discretisation: &Discretisation, z: Complex64) -> Complex64 {
         let charges = self.charges(discretisation);
         let p = discretisation.order.p();
-        let arguments = unwrapped_arguments(&discretisation.boundary.vertices, z);
+        let arguments = arguments_at_middles(&discretisation.boundary, z, None);
         let mut sum = Complex64::ZERO;
         for (q, panel) in discretisation.panels.iter().enumerate() {
             let local = discretisation.local_of(q, z);
             let own = discretisation.rules[q].potential(&discretisation.order, local, panel.length().ln(), &charges[q]);
-            let middle = 0.5 * (arguments[panel.edge] + arguments[panel.edge + 1]);
-            let turn = panel.direction.arg();
-            let turns = ((middle - turn - (local - 0.5).arg()) / TAU).round();
-            sum += own + Complex64::new(0.0, (turn + TAU * turns) * self.masses[q * p..][..p].iter().sum::<f64>());
+            sum += own + turned(panel, arguments[panel.edge], local, &self.masses[q * p..][..p]);
         }
         sum
+    }
+
+    /// [`LogPotential::at`] and its derivative. Of a point on edge `on`, what they are on the region's side of it.
+    #[must_use]
+    pub fn with_slope(
+        &self,
+        discretisation: &Discretisation,
+        z: Complex64,
+        on: Option<usize>,
+    ) -> (Complex64, Complex64) {
+        let charges = self.charges(discretisation);
+        let p = discretisation.order.p();
+        let arguments = arguments_at_middles(&discretisation.boundary, z, on);
+        let (mut sum, mut slope) = (Complex64::ZERO, Complex64::ZERO);
+        for (q, panel) in discretisation.panels.iter().enumerate() {
+            let mut local = discretisation.local_of(q, z);
+            if on == Some(panel.edge) {
+                local.im = if panel.outgoing { 0.0 } else { -0.0 };
+            }
+            let (rule, order) = (&discretisation.rules[q], &discretisation.order);
+            let (own, by_local) = rule.potential_with_slope(order, local, panel.length().ln(), &charges[q]);
+            sum += own + turned(panel, arguments[panel.edge], local, &self.masses[q * p..][..p]);
+            slope += by_local * panel.direction.conj() / panel.length();
+        }
+        (sum, slope)
     }
 
     /// f(z) for the region's map with `center` ↦ 0 and vertex 0 ↦ 1 (scaled units).
@@ -59,17 +88,28 @@ impl LogPotential {
     }
 }
 
-/// arg(z − v) for the vertices v, each edge turning by less than π; one more entry closes the curve.
-fn unwrapped_arguments(vertices: &[Complex64], z: Complex64) -> Vec<f64> {
-    let mut arguments = Vec::with_capacity(vertices.len() + 1);
-    let mut previous = z - vertices[0];
-    let mut argument = previous.arg();
-    arguments.push(argument);
-    for k in 1..=vertices.len() {
-        let next = z - vertices[k % vertices.len()];
-        argument += (next * previous.conj()).arg();
-        arguments.push(argument);
-        previous = next;
+/// What puts a panel's principal logarithms on the branch: its own arguments are continuous, and `argument` is that of its
+/// edge's middle.
+fn turned(panel: &Panel, argument: f64, local: Complex64, masses: &[f64]) -> Complex64 {
+    let turn = panel.direction.arg();
+    let turns = ((argument - turn - (local - 0.5).arg()) / TAU).round();
+    Complex64::new(0.0, (turn + TAU * turns) * masses.iter().sum::<f64>())
+}
+
+/// About arg(z − y) for the middle y of each edge: continuous along each component, principal at its first vertex, and each edge
+/// turning by less than π, or by π if `z` is on it and the region to the left.
+fn arguments_at_middles(boundary: &Boundary, z: Complex64, on: Option<usize>) -> Vec<f64> {
+    let mut middles = Vec::with_capacity(boundary.len());
+    for range in &boundary.loops {
+        let mut previous = z - boundary.vertices[range.start];
+        let mut argument = previous.arg();
+        for edge in range.clone() {
+            let next = z - boundary.vertices[boundary.next(edge)];
+            let turn = if on == Some(edge) { PI } else { (next * previous.conj()).arg() };
+            let after = argument + turn;
+            middles.push(0.5 * (argument + after));
+            (argument, previous) = (after, next);
+        }
     }
-    arguments
+    middles
 }

@@ -9,7 +9,7 @@
 
 use super::fast_log;
 use super::legendre::MAX_NODES;
-use super::log_moments::{log_moments, outside_ellipse};
+use super::log_moments::{log_moments, log_moments_with_slopes, outside_ellipse};
 use super::order::Order;
 use super::panel::Panel;
 use super::panel_blocks::{far_block, graded_blocks, regular_blocks};
@@ -206,6 +206,36 @@ impl PanelRule {
             }
         });
         sum
+    }
+
+    /// [`PanelRule::potential`], and its derivative by the target.
+    #[must_use]
+    pub fn potential_with_slope(
+        &self,
+        order: &Order,
+        target: Complex64,
+        log_scale: f64,
+        charges: &[f64],
+    ) -> (Complex64, Complex64) {
+        let (mut sum, mut slope) = (Complex64::ZERO, Complex64::ZERO);
+        self.for_each_part(order, target, |part| {
+            let charges = &charges[part.block * self.m..][..self.row_count(part.rows)];
+            if part.rows == Rows::Coefficients {
+                let (mut logs, mut slopes) = ([Complex64::ZERO; MAX_NODES], [Complex64::ZERO; MAX_NODES]);
+                let (logs, slopes) = (&mut logs[..charges.len()], &mut slopes[..charges.len()]);
+                log_moments_with_slopes((target - part.center) / part.half, logs, slopes);
+                logs[0] += 2.0 * (part.half.ln() + log_scale);
+                sum += logs.iter().zip(charges).map(|(log, charge)| log * charge).sum::<Complex64>();
+                slope += slopes.iter().zip(charges).map(|(s, charge)| s * charge).sum::<Complex64>() / part.half;
+            } else {
+                for (charge, t) in charges.iter().zip(part.rows.nodes(order)) {
+                    let away = target - (part.center + part.half * t);
+                    sum += (away.ln() + log_scale) * charge;
+                    slope += away.inv() * charge;
+                }
+            }
+        });
+        (sum, slope)
     }
 
     /// Calls `visit` with the place in [0, 1] of each of the m nodes that stand for the whole panel in the far field, and

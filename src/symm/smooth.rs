@@ -4,32 +4,14 @@
 //! log|z(t) − z(s)| − log|2 sin((t−s)/2)|, which is smooth and left to the trapezoidal rule
 //! (R. Kress, *Linear Integral Equations*, section 12.3).
 
-use super::lu::Lu;
 use super::options::{Progress, SolveOptions, Stop};
+use super::smooth_system::{LEAST_NODES, MOST_NODES, ROUNDING_PER_NODE, SmoothOutcome, SmoothSystem};
 use super::solution::ERROR_PER_RESIDUAL;
 use crate::plane::fourier::transform;
 use crate::plane::{Complex64, SmoothCurve};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
 use std::sync::Arc;
-
-/// The curve sampled at N nodes, with the factored equation: ready for any center.
-#[derive(Debug)]
-pub struct SmoothSystem {
-    /// The curve in plane units.
-    curve: Arc<SmoothCurve>,
-    /// Plane units × `unit` = units used here.
-    unit: f64,
-    /// z(2πj/N).
-    nodes: Vec<Complex64>,
-    /// z'(2πj/N).
-    tangents: Vec<Complex64>,
-    /// Points halfway between nodes, where the equation is checked.
-    checks: Vec<Complex64>,
-    /// Entries at the checks, row-major.
-    check_rows: Vec<f64>,
-    lu: Lu,
-}
 
 /// A solved smooth region.
 #[derive(Clone, Debug)]
@@ -53,16 +35,10 @@ pub struct SmoothSolution {
     pub stop: Stop,
 }
 
-/// What rounding leaves, per node: differences of nearby nodes are only known to that.
-const ROUNDING_PER_NODE: f64 = 2e-16;
 /// Maps with estimates above this are none.
 pub(super) const WORST_ESTIMATE: f64 = 1.0;
 /// What points should be enough for that leave a curve open.
 const USEFUL_ESTIMATE: f64 = 1e-3;
-/// Fewest nodes.
-const LEAST_NODES: usize = 64;
-/// Most nodes: a dense factorisation of this size takes seconds.
-const MOST_NODES: usize = 4096;
 
 /// Solves for `center` (plane units), doubling the nodes until the estimate meets the tolerance.
 ///
@@ -80,8 +56,8 @@ pub fn solve_smooth(
     let mut nodes = (2 * curve.waves() + 2).clamp(LEAST_NODES, most.max(LEAST_NODES));
     let mut previous = f64::INFINITY;
     loop {
-        let system = Arc::new(SmoothSystem::new(Arc::clone(curve), nodes, progress)?);
-        let mut solution = system.solve(center, options.tolerance);
+        let system = Arc::new(SmoothSystem::new(vec![Arc::clone(curve)], &[nodes], progress)?);
+        let mut solution = SmoothSolution::new(&system, center, options.tolerance);
         solution.stop = if solution.error_estimate <= options.tolerance {
             Stop::Tolerance
         } else if !solution.needs_nodes(options.tolerance) {
@@ -99,63 +75,21 @@ pub fn solve_smooth(
     }
 }
 
-impl SmoothSystem {
-    fn new(curve: Arc<SmoothCurve>, n: usize, progress: Progress) -> Result<Self> {
-        let unit = (-curve.outline().size().log2().round()).exp2();
-        let at = |shift: f64| move |j: usize| TAU * (j as f64 + shift) / n as f64;
-        let nodes: Vec<Complex64> = (0..n).map(at(0.0)).map(|t| curve.point(t) * unit).collect();
-        let tangents: Vec<Complex64> = (0..n).map(at(0.0)).map(|t| curve.tangent(t) * unit).collect();
-        let checks: Vec<Complex64> = (0..n).map(at(0.5)).map(|t| curve.point(t) * unit).collect();
-        let sine_weights = SineWeights::new(n);
-        let mut matrix = Vec::with_capacity((n + 1) * (n + 1));
-        let mut check_rows = Vec::with_capacity(n * n);
-        for i in 0..n {
-            for j in 0..n {
-                let apart = (i + n - j) % n;
-                let ratio =
-                    if i == j { tangents[i].norm() } else { (nodes[i] - nodes[j]).norm() / chord(2 * apart, n) };
-                matrix.push(ratio.ln() + sine_weights.at(2 * apart));
-                let ratio = (checks[i] - nodes[j]).norm() / chord(2 * apart + 1, n);
-                check_rows.push(ratio.ln() + sine_weights.at(2 * apart + 1));
-            }
-            matrix.push(1.0);
-            if i % 32 == 0 && !progress("assemble", i as f64 / n as f64) {
-                return Err(Error::Cancelled);
-            }
-        }
-        matrix.resize(matrix.len() + n, 1.0);
-        matrix.push(0.0);
-        let lu = Lu::new(n + 1, matrix);
-        Ok(Self { curve, unit, nodes, tangents, checks, check_rows, lu })
-    }
-
-    /// Number of nodes.
+impl SmoothSolution {
+    /// One more right-hand side of a system of one curve.
     #[must_use]
-    pub fn len(&self) -> usize {
-        self.nodes.len()
-    }
-
-    /// One more right-hand side.
-    #[must_use]
-    pub fn solve(self: &Arc<Self>, center: Complex64, tolerance: f64) -> SmoothSolution {
-        let n = self.len();
-        let center = center * self.unit;
-        let mut x: Vec<f64> = self.nodes.iter().map(|z| (z - center).norm().ln()).collect();
-        x.push(1.0);
-        self.lu.solve(&mut x);
-        let c = x.pop().unwrap_or(f64::NAN);
-        let misses = self.checks.iter().zip(self.check_rows.chunks_exact(n));
-        let residual = misses
-            .map(|(z, row)| (super::lu::dot(row, &x) + c - (z - center).norm().ln()).abs())
-            .fold(c.abs(), |worst, r| if r > worst || r.is_nan() { r } else { worst });
-        // The boundary moved by δ moves its image by |f'| δ = 2π (dμ/dt)/|z'| δ.
-        let slopes = x.iter().zip(&self.tangents).map(|(mass, tangent)| mass.abs() * n as f64 / tangent.norm());
-        let curve_error = self.curve.uncertainty() * self.unit * slopes.fold(0.0, f64::max);
+    pub fn new(system: &Arc<SmoothSystem>, center: Complex64, tolerance: f64) -> Self {
+        let n = system.len();
+        let center = center * system.unit;
+        let logs = |points: &[Complex64]| points.iter().map(|z| (z - center).norm().ln()).collect::<Vec<_>>();
+        let (at_nodes, at_checks) = (logs(&system.nodes), logs(&system.checks));
+        let SmoothOutcome { masses: x, residual, .. } = system.solve(at_nodes, &at_checks, &[1.0]);
+        let curve_error = system.curve_error(&x);
         let error_estimate = ERROR_PER_RESIDUAL * residual + ROUNDING_PER_NODE * n as f64 + curve_error;
         let masses: Vec<Complex64> = x.iter().map(|mass| Complex64::from(*mass)).collect();
         let waves = transform(&masses)[1..n.div_ceil(2)].to_vec();
-        let mut solution = SmoothSolution {
-            system: Arc::clone(self),
+        let mut solution = Self {
+            system: Arc::clone(system),
             center,
             waves,
             values: Vec::new(),
@@ -172,9 +106,13 @@ impl SmoothSystem {
         }
         solution
     }
-}
 
-impl SmoothSolution {
+    /// Another center on the same nodes.
+    #[must_use]
+    pub fn moved(&self, center: Complex64, tolerance: f64) -> Self {
+        Self::new(&self.system, center, tolerance)
+    }
+
     /// Whether more nodes would make it better: the estimate misses the tolerance, and not because of the curve's points.
     #[must_use]
     pub fn needs_nodes(&self, tolerance: f64) -> bool {
@@ -208,7 +146,7 @@ impl SmoothSolution {
     /// The curve.
     #[must_use]
     pub fn curve(&self) -> &SmoothCurve {
-        &self.system.curve
+        &self.system.curves[0]
     }
 
     /// Number of unknowns.
@@ -329,38 +267,6 @@ fn cauchy(nodes: &[Complex64], tangents: &[Complex64], values: &[Complex64], z: 
     (value, slope / below)
 }
 
-/// |2 sin| of half the parameter between two points that are `half_steps` half steps apart.
-fn chord(half_steps: usize, n: usize) -> f64 {
-    2.0 * (0.25 * TAU * half_steps as f64 / n as f64).sin().abs()
-}
-
-/// How masses at the nodes act through log|2 sin((t−s)/2)|, by the distance in half steps: the waves e^{ikt} are
-/// multiplied by −1/(2|k|).
-struct SineWeights {
-    weights: Vec<f64>,
-}
-
-impl SineWeights {
-    fn new(n: usize) -> Self {
-        let cosine: Vec<f64> = (0..2 * n).map(|j| (TAU * j as f64 / (2 * n) as f64).cos()).collect();
-        let weight = |half_steps: usize| -> f64 {
-            let mut sum = 0.0;
-            for k in 1..n.div_ceil(2) {
-                sum -= cosine[half_steps * k % (2 * n)] / k as f64;
-            }
-            if n.is_multiple_of(2) {
-                sum -= cosine[half_steps * (n / 2) % (2 * n)] / n as f64;
-            }
-            sum
-        };
-        Self { weights: (0..2 * n).map(weight).collect() }
-    }
-
-    fn at(&self, half_steps: usize) -> f64 {
-        self.weights[half_steps % self.weights.len()]
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -414,8 +320,8 @@ mod tests {
         let fine = curve(30, |t| Complex64::new(3.0 * t.cos(), t.sin()));
         let reference = solve(&fine, Complex64::new(1.5, 0.0), 1e-13);
         for nodes in [60, 90, 120, 150] {
-            let system = Arc::new(SmoothSystem::new(Arc::clone(&fine), nodes, &mut |_, _| true).unwrap());
-            let solution = system.solve(Complex64::new(1.5, 0.0), 1e-13);
+            let system = Arc::new(SmoothSystem::new(vec![Arc::clone(&fine)], &[nodes], &mut |_, _| true).unwrap());
+            let solution = SmoothSolution::new(&system, Complex64::new(1.5, 0.0), 1e-13);
             let on_curve =
                 (0..50).map(|j| f64::from(j) * 0.12).map(|t| TAU * (solution.measure(t) - reference.measure(t)).abs());
             let error = on_curve.fold(solution.residual, f64::max);

@@ -5,11 +5,12 @@ use super::discretisation::Discretisation;
 use super::options::{Progress, SolveOptions, Stop};
 use super::order::Order;
 use super::panel::{Boundary, Panel, initial_panels};
+use super::problem::Problem;
 use super::refinement::Refinement;
 use super::rule::Rules;
 use super::solution::{ERROR_PER_RESIDUAL, estimate_of, finish};
 use super::system::{System, SystemSolution};
-use crate::plane::{Complex64, Region};
+use crate::plane::{Complex64, Domain, Region};
 use crate::{Error, Result};
 use std::sync::Arc;
 
@@ -46,7 +47,7 @@ pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Res
     let mut rules = Rules::new(order_for(options, panels.len())?);
     let discretisation = Discretisation::new(boundary, panels, &mut rules);
     let system = Arc::new(System::new(discretisation, progress)?);
-    adapt(system, rules, center, None, options, progress)
+    seen_from(center, system, rules, None, options, progress)
 }
 
 /// The same region for another `center` (plane units), refining the panels where they are too coarse for it.
@@ -63,44 +64,110 @@ pub fn solve_again(
     let discretisation = previous.discretisation();
     let center = center * discretisation.boundary.unit;
     let rules = Rules::new(discretisation.order.clone());
-    adapt(Arc::clone(&previous.system), rules, center, Some(moved_measure(previous, center)), options, progress)
+    let guess = moved_measure(previous, center);
+    seen_from(center, Arc::clone(&previous.system), rules, Some(guess), options, progress)
 }
 
-/// Solves, and halves panels and solves again until the estimate meets the tolerance.
-pub(super) fn adapt(
-    mut system: Arc<System>,
-    mut rules: Rules,
+/// Solves problems for `domain`, all on the same panels, refining until the estimate meets the tolerance for each. `problems`
+/// is given the scaled boundary.
+///
+/// # Errors
+/// [`Error::InvalidOption`], [`Error::Cancelled`].
+pub fn solve_problems(
+    domain: &Domain,
+    problems: &dyn Fn(&Boundary) -> Vec<Problem>,
+    options: &SolveOptions,
+    progress: Progress,
+) -> Result<Adapted> {
+    options.validate()?;
+    let boundary = Arc::new(Boundary::of(domain.oriented_polygons(), domain.is_bounded()));
+    let problems = problems(&boundary);
+    let mut panels = initial_panels(&boundary, KAPPA);
+    for problem in &problems {
+        for singular in problem.source.singularities() {
+            panels = facing(&boundary, panels, singular);
+        }
+    }
+    let mut rules = Rules::new(order_for(options, panels.len())?);
+    let system = Arc::new(System::new(Discretisation::new(boundary, panels, &mut rules), progress)?);
+    adapt(system, rules, problems, None, options, progress)
+}
+
+/// Harmonic measure seen from `center`, refined until the estimate meets the tolerance.
+pub(super) fn seen_from(
     center: Complex64,
-    mut guess: Option<Vec<f64>>,
+    system: Arc<System>,
+    rules: Rules,
+    guess: Option<Vec<f64>>,
     options: &SolveOptions,
     progress: Progress,
 ) -> Result<Solution> {
+    let problem = Problem::measure(&system.discretisation.boundary, center);
+    let guesses = guess.map(|guess| vec![guess]);
+    let Adapted { system, mut outcomes, error_estimate, stop, .. } =
+        adapt(system, rules, vec![problem], guesses, options, progress)?;
+    finish(system, center, outcomes.swap_remove(0), error_estimate, stop)
+}
+
+/// Problems solved together, on panels fine enough for all of them.
+#[derive(Debug)]
+pub struct Adapted {
+    /// The system of the last round.
+    pub system: Arc<System>,
+    /// What was solved for.
+    pub problems: Vec<Problem>,
+    /// The solution of each.
+    pub outcomes: Vec<SystemSolution>,
+    /// Estimate of the largest error of any.
+    pub error_estimate: f64,
+    /// Why the solve ended.
+    pub stop: Stop,
+}
+
+/// Solves, and halves panels and solves again until the estimate meets the tolerance.
+fn adapt(
+    mut system: Arc<System>,
+    mut rules: Rules,
+    problems: Vec<Problem>,
+    mut guesses: Option<Vec<Vec<f64>>>,
+    options: &SolveOptions,
+    progress: Progress,
+) -> Result<Adapted> {
     let acceptable = options.tolerance / ERROR_PER_RESIDUAL;
     let mut previous_estimate = f64::INFINITY;
     loop {
         let weight = system.discretisation.walls.largest_weight();
         let fine = ITERATION_SHARE * acceptable / (0.01 * weight).max(1.0);
         let rough = fine.max(ROUGH_SHARE * acceptable / weight);
-        let mut outcome = system.solve(center, rough, guess.take(), progress)?;
-        let mut refinement = Refinement::new(&system.discretisation, &outcome.residuals, REFINE_SHARE * acceptable);
-        let ends = |outcome: &SystemSolution, panels: &[Panel]| {
-            let estimate = estimate_of(&system.discretisation, outcome);
+        let mut outcomes = solve_all(&system, &problems, rough, guesses.take(), progress)?;
+        let refinement_of = |outcomes: &[SystemSolution]| {
+            Refinement::new(&system.discretisation, &largest_residuals(outcomes), REFINE_SHARE * acceptable)
+        };
+        let estimate_of = |outcomes: &[SystemSolution]| {
+            let estimates = outcomes.iter().map(|outcome| estimate_of(&system.discretisation, outcome));
+            estimates.fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
+        };
+        let mut refinement = refinement_of(&outcomes);
+        let ends = |outcomes: &[SystemSolution], panels: &[Panel]| {
+            let estimate = estimate_of(outcomes);
+            let residual = outcomes.iter().map(SystemSolution::residual).fold(0.0, f64::max);
             estimate <= options.tolerance
                 || panels.len() == system.discretisation.panels.len()
                 || panels.len() * rules.order.p() > options.max_unknowns
-                || estimate > STAGNATION_SHARE * previous_estimate && outcome.residual() < STAGNATION_BELOW
+                || estimate > STAGNATION_SHARE * previous_estimate && residual < STAGNATION_BELOW
         };
-        if ends(&outcome, &refinement.panels) {
-            outcome = system.solve(center, fine, Some(outcome.masses), progress)?;
-            refinement = Refinement::new(&system.discretisation, &outcome.residuals, REFINE_SHARE * acceptable);
+        if ends(&outcomes, &refinement.panels) {
+            let guesses = outcomes.into_iter().map(|outcome| outcome.masses).collect();
+            outcomes = solve_all(&system, &problems, fine, Some(guesses), progress)?;
+            refinement = refinement_of(&outcomes);
         }
-        let from_residual = estimate_of(&system.discretisation, &outcome);
+        let from_residual = estimate_of(&outcomes);
         let from_noise =
             if from_residual < CHECK_ROUNDING_BELOW { NOISE * system.noise_amplification(progress)? } else { 0.0 };
         let error_estimate = from_residual + from_noise;
         let stop = if error_estimate <= options.tolerance {
             Some(Stop::Tolerance)
-        } else if !ends(&outcome, &refinement.panels) && from_noise <= from_residual {
+        } else if !ends(&outcomes, &refinement.panels) && from_noise <= from_residual {
             None
         } else if refinement.panels.len() * rules.order.p() > options.max_unknowns {
             Some(Stop::MaxUnknowns)
@@ -108,12 +175,37 @@ pub(super) fn adapt(
             Some(Stop::Stagnation)
         };
         if let Some(stop) = stop {
-            return finish(system, center, outcome, error_estimate, stop);
+            return Ok(Adapted { system, problems, outcomes, error_estimate, stop });
         }
         previous_estimate = from_residual;
-        guess = Some(refinement.carried(&system.discretisation, &outcome.masses));
+        let carried = |outcome: &SystemSolution| refinement.carried(&system.discretisation, &outcome.masses);
+        guesses = Some(outcomes.iter().map(carried).collect());
         system = Arc::new(system.refined(refinement, &mut rules, progress)?);
     }
+}
+
+fn solve_all(
+    system: &System,
+    problems: &[Problem],
+    tolerance: f64,
+    guesses: Option<Vec<Vec<f64>>>,
+    progress: Progress,
+) -> Result<Vec<SystemSolution>> {
+    let mut guesses = guesses.into_iter().flatten();
+    problems.iter().map(|problem| system.solve(problem, tolerance, guesses.next(), progress)).collect()
+}
+
+/// The largest residual of any solution on each panel.
+fn largest_residuals(outcomes: &[SystemSolution]) -> Vec<f64> {
+    let mut largest = outcomes[0].residuals.clone();
+    for outcome in &outcomes[1..] {
+        for (worst, r) in largest.iter_mut().zip(&outcome.residuals) {
+            if r > worst || r.is_nan() {
+                *worst = *r;
+            }
+        }
+    }
+    largest
 }
 
 /// Unknowns a panel and digits of quadrature that reach a tolerance with the least work (measured), or as many unknowns as

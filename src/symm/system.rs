@@ -1,4 +1,4 @@
-//! Symm's linear system, ready to be solved for any center.
+//! Symm's linear system, ready to be solved for any right-hand side.
 
 use super::discretisation::{Discretisation, Target};
 use super::fast_multipole::FastInfluence;
@@ -6,18 +6,21 @@ use super::gmres::gmres;
 use super::influence::{DenseInfluence, Influence};
 use super::lu::Lu;
 use super::options::Progress;
+use super::problem::{Problem, Source};
 use super::refinement::Refinement;
 use super::rule::Rules;
 use super::two_level::TwoLevel;
 use crate::Result;
-use crate::plane::Complex64;
 use std::fmt;
+use std::ops::Range;
 use std::sync::Arc;
 
-/// The matrix and its (approximate) inverse. Another center is one more right-hand side.
+/// The matrix and its (approximate) inverse: one constant and one total mass a component border it.
 pub struct System {
     /// The panels.
     pub discretisation: Discretisation,
+    /// The unknowns of each component.
+    components: Vec<Range<usize>>,
     targets: Vec<Target>,
     checks: Vec<Target>,
     equations: Arc<Equations>,
@@ -46,22 +49,24 @@ enum Inverse {
     TwoLevel(TwoLevel),
 }
 
-/// What one center's right-hand side gave.
+/// What one right-hand side gave.
 #[derive(Clone, Debug)]
 pub struct SystemSolution {
-    /// Mass of harmonic measure at each node.
+    /// Mass at each node.
     pub masses: Vec<f64>,
-    /// The constant, 0 but for errors.
-    pub c: f64,
+    /// The constant cⱼ of each component.
+    pub constants: Vec<f64>,
+    /// |c| of an outer boundary, which would be 0 but for errors.
+    pub constant_error: f64,
     /// Largest violation of the equation on each panel, at its check points.
     pub residuals: Vec<f64>,
 }
 
 impl SystemSolution {
-    /// The largest violation of the equation, or |c| if that is larger.
+    /// The largest violation of the equation, or the constant's error if that is larger.
     #[must_use]
     pub fn residual(&self) -> f64 {
-        self.residuals.iter().fold(self.c.abs(), |worst, r| if *r > worst || r.is_nan() { *r } else { worst })
+        self.residuals.iter().fold(self.constant_error, |worst, r| if *r > worst || r.is_nan() { *r } else { worst })
     }
 }
 
@@ -81,11 +86,12 @@ impl System {
         let targets = discretisation.collocation_points();
         let checks = discretisation.check_points();
         let n = discretisation.unknowns();
+        let components: Vec<_> = discretisation.unknowns_of_components().collect();
         let digits = discretisation.order.digits;
         let (equations, check_equations, inverse) = if n <= DENSE_UP_TO {
             let equations = DenseInfluence::new(&discretisation, &targets, progress)?;
             let inverse = if n <= FACTOR_UP_TO {
-                Inverse::Exact(Lu::new(n + 1, equations.bordered()))
+                Inverse::Exact(Lu::new(n + components.len(), equations.bordered(&components)))
             } else {
                 Inverse::TwoLevel(TwoLevel::new(&discretisation, progress)?)
             };
@@ -99,7 +105,7 @@ impl System {
             )
         };
         let (equations, check_equations) = (Arc::new(equations), Arc::new(check_equations));
-        Ok(Self { discretisation, targets, checks, equations, check_equations, inverse: Arc::new(inverse) })
+        Ok(Self { discretisation, components, targets, checks, equations, check_equations, inverse: Arc::new(inverse) })
     }
 
     /// The system of refined panels; a large one takes over what concerns panels that were kept.
@@ -131,6 +137,7 @@ impl System {
         let checks = discretisation.check_points();
         let refined_checks = fast_checks.refined(&refinement, &discretisation, &checks, progress)?;
         Ok(Self {
+            components: discretisation.unknowns_of_components().collect(),
             discretisation,
             targets,
             checks,
@@ -140,32 +147,39 @@ impl System {
         })
     }
 
-    /// Solves for `center` (scaled units) until the equations hold to `tolerance` in the mean, from `guess` if there is one.
+    /// Solves a problem until the equations hold to `tolerance` in the mean, from `guess` if there is one.
     ///
     /// # Errors
     /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn solve(
         &self,
-        center: Complex64,
+        problem: &Problem,
         tolerance: f64,
         guess: Option<Vec<f64>>,
         progress: Progress,
     ) -> Result<SystemSolution> {
-        let mut rhs = self.discretisation.log_distances(&self.targets, center);
-        rhs.push(1.0);
-        let mut x = guess.unwrap_or_else(|| vec![0.0; self.discretisation.unknowns()]);
-        x.push(0.0);
+        let mut rhs = problem.source.values(&self.discretisation.boundary, &self.targets);
+        rhs.extend_from_slice(&problem.charges);
+        let n = self.discretisation.unknowns();
+        let mut x = guess.unwrap_or_else(|| vec![0.0; n]);
+        x.resize(n + self.components.len(), 0.0);
         self.iterate(&rhs, &mut x, tolerance.max(ROUNDING_PER_ENTRY), progress)?;
-        let c = x.pop().unwrap_or(f64::NAN);
-        let residuals = self.residuals(&x, c, center);
-        Ok(SystemSolution { masses: x, c, residuals })
+        let constants = x.split_off(n);
+        Ok(self.examined(problem, x, constants))
     }
 
-    /// Takes `masses` for the solution, and says how well they fit.
+    /// Takes `masses` for the solution with the constants 0, and says how well they fit.
     #[must_use]
-    pub fn check(&self, center: Complex64, masses: Vec<f64>) -> SystemSolution {
-        let residuals = self.residuals(&masses, 0.0, center);
-        SystemSolution { masses, c: 0.0, residuals }
+    pub fn check(&self, problem: &Problem, masses: Vec<f64>) -> SystemSolution {
+        self.examined(problem, masses, vec![0.0; self.components.len()])
+    }
+
+    fn examined(&self, problem: &Problem, masses: Vec<f64>, constants: Vec<f64>) -> SystemSolution {
+        let residuals = self.residuals(problem, &masses, &constants);
+        // The branch of vortices may differ from that at infinity.
+        let is_zero = self.discretisation.boundary.bounded && !matches!(problem.source, Source::Vortices(..));
+        let constant_error = if is_zero { constants[0].abs() } else { 0.0 };
+        SystemSolution { masses, constants, constant_error, residuals }
     }
 
     /// How much noise of size 1 in the equations moves the measure of a part of the boundary: what rounding is multiplied
@@ -179,8 +193,8 @@ impl System {
         let sign = |i: usize| if (i + 1).wrapping_mul(0x9e37_79b9) >> 16 & 1 == 0 { 1.0 } else { -1.0 };
         let edge = |i: usize| self.discretisation.panels[i / self.discretisation.order.p()].edge;
         let mut noise: Vec<f64> = (0..n).map(|i| 0.5 * (sign(i) + sign(edge(i)))).collect();
-        noise.push(0.0);
-        let mut x = vec![0.0; n + 1];
+        noise.resize(n + self.components.len(), 0.0);
+        let mut x = vec![0.0; n + self.components.len()];
         self.iterate(&noise, &mut x, 0.05, progress)?;
         let mut measure = 0.0;
         let mut range = (0.0, 0.0);
@@ -196,8 +210,10 @@ impl System {
         let n = self.discretisation.unknowns();
         let apply = |x: &[f64], y: &mut [f64]| {
             self.equations.apply(&x[..n], &mut y[..n]);
-            y[..n].iter_mut().for_each(|value| *value += x[n]);
-            y[n] = x[..n].iter().sum();
+            for (j, own) in self.components.iter().enumerate() {
+                y[own.clone()].iter_mut().for_each(|value| *value += x[n + j]);
+                y[n + j] = x[own.clone()].iter().sum();
+            }
         };
         let precondition = |r: &[f64], z: &mut [f64]| match self.inverse.as_ref() {
             Inverse::Exact(lu) => {
@@ -210,13 +226,20 @@ impl System {
         Ok(())
     }
 
-    fn residuals(&self, masses: &[f64], c: f64, center: Complex64) -> Vec<f64> {
+    fn residuals(&self, problem: &Problem, masses: &[f64], constants: &[f64]) -> Vec<f64> {
         let mut potentials = vec![0.0; self.checks.len()];
         self.check_equations.apply(masses, &mut potentials);
-        let log_distances = self.discretisation.log_distances(&self.checks, center);
-        let misses: Vec<f64> = potentials.iter().zip(log_distances).map(|(u, log)| (u + c - log).abs()).collect();
-        let largest = |values: &[f64]| values.iter().fold(0.0, |a, b| if *b > a || b.is_nan() { *b } else { a });
-        misses.chunks_exact(self.checks.len() / self.discretisation.panels.len()).map(largest).collect()
+        let values = problem.source.values(&self.discretisation.boundary, &self.checks);
+        let per_panel = self.checks.len() / self.discretisation.panels.len();
+        let mut residuals = Vec::with_capacity(self.discretisation.panels.len());
+        for (panels, &c) in self.discretisation.components.iter().zip(constants) {
+            for q in panels.clone() {
+                let checks = q * per_panel..(q + 1) * per_panel;
+                let misses = checks.map(|i| (potentials[i] + c - values[i]).abs());
+                residuals.push(misses.fold(0.0, |worst, r| if r > worst || r.is_nan() { r } else { worst }));
+            }
+        }
+        residuals
     }
 }
 

@@ -22,6 +22,8 @@ pub struct TwoLevel {
     groups: Vec<Group>,
     /// The panels of each group.
     ranges: Vec<Range<usize>>,
+    /// The groups of each component.
+    components: Vec<Range<usize>>,
     /// Share of its group's mass that each node carries on the coarse level.
     shares: Vec<f64>,
     coarse: Arc<Lu>,
@@ -45,12 +47,18 @@ impl TwoLevel {
     /// [`Error::Cancelled`].
     pub fn new(discretisation: &Discretisation, progress: Progress) -> Result<Self> {
         let p = discretisation.order.p();
-        let panels = discretisation.panels.len();
-        let count = (panels * p).div_ceil(GROUP_UNKNOWNS).min(panels / 2).max(1);
-        let bounds: Vec<usize> = (0..=count).map(|g| g * panels / count).collect();
-        let ranges: Vec<Range<usize>> = bounds.windows(2).map(|pair| pair[0]..pair[1]).collect();
+        let mut ranges: Vec<Range<usize>> = Vec::new();
+        let mut components = Vec::with_capacity(discretisation.components.len());
+        for own in &discretisation.components {
+            let (first, panels) = (ranges.len(), own.len());
+            let count = (panels * p).div_ceil(GROUP_UNKNOWNS).min(panels / 2).max(1);
+            let bounds: Vec<usize> = (0..=count).map(|g| own.start + g * panels / count).collect();
+            ranges.extend(bounds.windows(2).map(|pair| pair[0]..pair[1]));
+            components.push(first..ranges.len());
+        }
+        let count = ranges.len();
         let shares = coarse_shares(discretisation, &ranges);
-        let layout = Layout::new(discretisation, &ranges, &shares);
+        let layout = Layout::new(discretisation, &ranges, &components, &shares);
         let mut groups = Vec::with_capacity(count);
         let mut self_potential = Vec::with_capacity(count);
         for (g, range) in ranges.iter().enumerate() {
@@ -64,8 +72,9 @@ impl TwoLevel {
             self_potential.push(mean_potential(&matrix, members.len() * p, &shares[own]));
             groups.push(Group::new(p, range, &members, neighbours, Arc::new(Lu::new(members.len() * p, matrix))));
         }
-        let coarse = coarse_matrix(&layout, &shares, &self_potential);
-        Ok(Self { groups, ranges, shares, coarse: Arc::new(Lu::new(count + 1, coarse)) })
+        let coarse = coarse_matrix(&layout, &components, &shares, &self_potential);
+        let coarse = Arc::new(Lu::new(count + components.len(), coarse));
+        Ok(Self { groups, ranges, components, shares, coarse })
     }
 
     /// The same for refined panels, with the groups and the coarse level that there are; only groups with halved panels are
@@ -99,15 +108,16 @@ impl TwoLevel {
             groups.push(Group::new(p, range, &members, old.neighbours.clone(), local));
         }
         let shares = coarse_shares(discretisation, &ranges);
-        Ok(Some(Self { groups, ranges, shares, coarse: Arc::clone(&self.coarse) }))
+        let (components, coarse) = (self.components.clone(), Arc::clone(&self.coarse));
+        Ok(Some(Self { groups, ranges, components, shares, coarse }))
     }
 
     /// Writes an approximation of the bordered system's solution for the right-hand side `r` into `z`.
     pub fn apply(&self, r: &[f64], z: &mut [f64]) {
-        let n = r.len() - 1;
+        let n = r.len() - self.components.len();
         let mut coarse: Vec<f64> =
             self.groups.iter().map(|group| group.own.clone().map(|i| self.shares[i] * r[i]).sum()).collect();
-        coarse.push(r[n]);
+        coarse.extend_from_slice(&r[n..]);
         self.coarse.solve(&mut coarse);
         for (group, mass) in self.groups.iter().zip(&coarse) {
             // What the local solve adds is corrected by the coarse level only in its mean.
@@ -119,7 +129,7 @@ impl TwoLevel {
                 z[i] = value + (mass - total) * self.shares[i];
             }
         }
-        z[n] = coarse[self.groups.len()];
+        z[n..].copy_from_slice(&coarse[self.groups.len()..]);
     }
 }
 
@@ -177,6 +187,8 @@ fn mean_potential(matrix: &[f64], size: usize, shares: &[f64]) -> f64 {
 
 /// Where the groups lie.
 struct Layout {
+    /// The groups before and after each.
+    beside: Vec<[usize; 2]>,
     points: Vec<Complex64>,
     nodes: Vec<Range<usize>>,
     centers: Vec<Complex64>,
@@ -189,7 +201,12 @@ const NEAR: f64 = 0.75;
 const MOST_NEIGHBOURS: usize = 2;
 
 impl Layout {
-    fn new(discretisation: &Discretisation, ranges: &[Range<usize>], shares: &[f64]) -> Self {
+    fn new(
+        discretisation: &Discretisation,
+        ranges: &[Range<usize>],
+        components: &[Range<usize>],
+        shares: &[f64],
+    ) -> Self {
         let p = discretisation.order.p();
         let points: Vec<Complex64> = discretisation
             .collocation_points()
@@ -203,13 +220,19 @@ impl Layout {
             nodes.clone().map(|i| (points[i] - center).norm()).fold(0.0, f64::max)
         };
         let radii = nodes.iter().zip(&centers).map(radius).collect();
-        Self { points, nodes, centers, radii }
+        let round = |own: &Range<usize>, g: usize, step: usize| own.start + (g - own.start + step) % own.len();
+        let beside = |own: &Range<usize>| {
+            let own = own.clone();
+            own.clone().map(move |g| [round(&own, g, own.len() - 1), round(&own, g, 1)])
+        };
+        let beside = components.iter().flat_map(beside).collect();
+        Self { beside, points, nodes, centers, radii }
     }
 
     /// The groups before and after `g`, and those that lie across from it.
     fn neighbours(&self, g: usize) -> Vec<usize> {
         let count = self.nodes.len();
-        let mut beside = vec![(g + count - 1) % count, (g + 1) % count];
+        let mut beside = self.beside[g].to_vec();
         beside.dedup();
         beside.retain(|&h| h != g);
         let closeness = |h: usize| (self.centers[h] - self.centers[g]).norm() / (self.radii[g] + self.radii[h]);
@@ -223,13 +246,14 @@ impl Layout {
 }
 
 /// Mean potentials between groups, bordered like the full system.
-fn coarse_matrix(layout: &Layout, shares: &[f64], self_potential: &[f64]) -> Vec<f64> {
+fn coarse_matrix(layout: &Layout, components: &[Range<usize>], shares: &[f64], self_potential: &[f64]) -> Vec<f64> {
     let count = layout.nodes.len();
-    let mut matrix = vec![0.0; (count + 1) * (count + 1)];
+    let size = count + components.len();
+    let mut matrix = vec![0.0; size * size];
     for a in 0..count {
         for b in 0..count {
             let distance = (layout.centers[a] - layout.centers[b]).norm();
-            matrix[a * (count + 1) + b] = if a == b {
+            matrix[a * size + b] = if a == b {
                 self_potential[a]
             } else if distance > 2.0 * (layout.radii[a] + layout.radii[b]) {
                 distance.ln()
@@ -239,8 +263,12 @@ fn coarse_matrix(layout: &Layout, shares: &[f64], self_potential: &[f64]) -> Vec
                 layout.nodes[a].clone().flat_map(to).map(|(i, j)| shares[i] * shares[j] * log(i, j)).sum()
             };
         }
-        matrix[a * (count + 1) + count] = 1.0;
-        matrix[count * (count + 1) + a] = 1.0;
+    }
+    for (border, own) in components.iter().enumerate().map(|(j, own)| (count + j, own)) {
+        for a in own.clone() {
+            matrix[a * size + border] = 1.0;
+            matrix[border * size + a] = 1.0;
+        }
     }
     matrix
 }

@@ -8,6 +8,7 @@ mod architecture;
 mod cortex;
 mod evaluate;
 mod formula;
+mod holes;
 mod hostile;
 mod mesh;
 mod support;

@@ -1,0 +1,244 @@
+//! A map onto a canonical region, both ways.
+
+use super::field::DomainField;
+use super::seeds::Seeds;
+use crate::map::{Jet, pointwise};
+use crate::plane::{Complex64, Domain};
+use std::f64::consts::TAU;
+use std::sync::{Arc, OnceLock};
+
+/// What a map is of its function B: with k(z) = aB(z) + b, the map is k or its exponential.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Form {
+    /// a.
+    pub factor: Complex64,
+    /// b.
+    pub shift: Complex64,
+    /// Whether the map is eᵏ.
+    pub exponential: bool,
+    /// The point that goes to 0, if there is one.
+    pub zero: Option<Complex64>,
+}
+
+/// A map domain → canonical region.
+#[derive(Clone, Debug)]
+pub struct Canonical {
+    field: Arc<DomainField>,
+    form: Form,
+    /// Known pairs, from which the way back starts; made at its first use.
+    seeds: OnceLock<Arc<Seeds>>,
+}
+
+/// Newton's method ends after so many steps.
+const MOST_STEPS: usize = 80;
+/// What is left of k when Newton's method has converged as far as it can.
+const REACHED: f64 = 1e-10;
+/// Seeds that are tried.
+const CANDIDATES: usize = 6;
+/// Steps on the straight way from a seed, if Newton's method alone does not find it.
+const LONGEST_WAY: usize = 64;
+
+impl Canonical {
+    /// A map in a given form.
+    #[must_use]
+    pub fn new(field: DomainField, form: Form) -> Self {
+        Self { field: Arc::new(field), form, seeds: OnceLock::new() }
+    }
+
+    /// The function B.
+    #[must_use]
+    pub fn field(&self) -> &DomainField {
+        &self.field
+    }
+
+    /// The domain.
+    #[must_use]
+    pub fn domain(&self) -> &Domain {
+        self.field.domain()
+    }
+
+    /// (k, k') at a point; `None` outside the closed domain.
+    fn key(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        let (value, slope) = self.field.at(z)?;
+        Some((self.form.factor * value + self.form.shift, self.form.factor * slope))
+    }
+
+    /// (f, f') at a point; `None` outside the closed domain. Infinite at the pole.
+    #[must_use]
+    pub fn at(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        if self.form.zero == Some(z) {
+            return Some((Complex64::ZERO, self.slope_at_zero(z)));
+        }
+        let (key, slope) = self.key(z)?;
+        if !self.form.exponential {
+            return Some((key, slope));
+        }
+        let w = key.exp();
+        Some((w, w * slope))
+    }
+
+    /// f' where f is 0: the mean of f/(z − zero) over a small circle.
+    fn slope_at_zero(&self, zero: Complex64) -> Complex64 {
+        const POINTS: u32 = 8;
+        let radius = 0.03 * (self.domain().nearest(zero).place.point - zero).norm();
+        let turns = (0..POINTS).map(|k| Complex64::from_polar(radius, TAU * f64::from(k) / f64::from(POINTS)));
+        let ratios = turns.filter_map(|turn| Some(self.at(zero + turn)?.0 / turn));
+        ratios.sum::<Complex64>() / f64::from(POINTS)
+    }
+
+    /// w → (z, dz/dw); `None` where nothing goes to w.
+    #[must_use]
+    pub fn inverse(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+        if !w.is_finite() {
+            return None;
+        }
+        if self.form.exponential && w == Complex64::ZERO {
+            let zero = self.form.zero?;
+            return Some((zero, self.slope_at_zero(zero).inv()));
+        }
+        let target = if self.form.exponential { w.ln() } else { w };
+        let seeds = self.seeds.get_or_init(|| {
+            Arc::new(Seeds::new(self.domain(), self.form.exponential, &|z| {
+                self.key(z).map(|(key, _)| key).filter(|key| key.is_finite())
+            }))
+        });
+        let candidates = seeds.near(target, CANDIDATES);
+        let direct = candidates.iter().find_map(|&(_, z)| self.newton(target, z));
+        let z = direct.or_else(|| candidates.iter().find_map(|&(key, z)| self.walk(key, z, target)))?;
+        let slope = self.at(z)?.1;
+        Some((z, slope.inv()))
+    }
+
+    /// [`Canonical::inverse`] between the circles |w| = e^low and |w| = e^high, which belong to it up to rounding, and go to the
+    /// boundary.
+    #[must_use]
+    pub fn within(&self, w: Complex64, low: f64, high: f64) -> Option<(Complex64, Complex64)> {
+        let log = 0.5 * w.norm_sqr().ln();
+        // Written so that NaN is outside.
+        if !(log >= low - ON_CIRCLE && log <= high + ON_CIRCLE) {
+            return None;
+        }
+        let near = |circle: f64| (log - circle).abs() <= ON_CIRCLE;
+        if !near(low) && !near(high) {
+            return self.inverse(w);
+        }
+        let circle = if near(low) { low } else { high };
+        let (z, slope) = self.inverse(w * (circle - log).exp())?;
+        Some((self.domain().nearest(z).place.point, slope))
+    }
+
+    /// k − target, on the branch nearest to 0.
+    fn miss(&self, key: Complex64, target: Complex64) -> Complex64 {
+        let mut miss = key - target;
+        if self.form.exponential {
+            miss.im -= TAU * (miss.im / TAU).round();
+        }
+        miss
+    }
+
+    /// Newton's method for k(z) = target, with steps that stay in the domain and come nearer.
+    fn newton(&self, target: Complex64, mut z: Complex64) -> Option<Complex64> {
+        let (key, mut slope) = self.key(z)?;
+        let mut miss = self.miss(key, target);
+        for _ in 0..MOST_STEPS {
+            let mut step = -miss / slope;
+            if !step.is_finite() {
+                // On a corner itself: move off it.
+                step = Complex64::new(1e-9 * self.size(), 0.0);
+            }
+            let mut moved = None;
+            for _ in 0..12 {
+                let next = self.inside(z + step);
+                if let Some((key, slope)) = self.key(next) {
+                    let next_miss = self.miss(key, target);
+                    if next_miss.norm() < miss.norm() {
+                        moved = Some((next, next_miss, slope));
+                        break;
+                    }
+                }
+                step *= 0.3;
+            }
+            let Some((next, next_miss, next_slope)) = moved else { break };
+            let length = (next - z).norm();
+            (z, miss, slope) = (next, next_miss, next_slope);
+            if miss == Complex64::ZERO || length <= 1e-16 * self.size() {
+                break;
+            }
+        }
+        (miss.norm() <= REACHED).then_some(z)
+    }
+
+    /// From a known pair along the straight way.
+    fn walk(&self, key: Complex64, z: Complex64, target: Complex64) -> Option<Complex64> {
+        let way = -self.miss(key, target);
+        let mut steps = 4;
+        while steps <= LONGEST_WAY {
+            let found = (1..=steps).try_fold(z, |z, k| self.newton(key + way * (k as f64 / steps as f64), z));
+            if found.is_some() {
+                return found;
+            }
+            steps *= 4;
+        }
+        None
+    }
+
+    /// The point, or the nearest of the boundary if it lies outside.
+    fn inside(&self, z: Complex64) -> Complex64 {
+        if self.domain().contains(z) { z } else { self.domain().nearest(z).place.point }
+    }
+
+    fn size(&self) -> f64 {
+        self.domain().contours()[0].polygon().size()
+    }
+
+    /// Domain → canonical region; NaN outside.
+    #[must_use]
+    pub fn images(&self, points: &[Complex64]) -> Vec<Complex64> {
+        points.iter().map(|&z| self.at(z).map_or(NOWHERE, |(w, _)| w)).collect()
+    }
+
+    /// Derivatives of [`Canonical::images`].
+    #[must_use]
+    pub fn slopes(&self, points: &[Complex64]) -> Vec<Complex64> {
+        points.iter().map(|&z| self.at(z).map_or(NOWHERE, |(_, slope)| slope)).collect()
+    }
+
+    /// Writes the jets of the map.
+    pub fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
+        pointwise(points, jets, |z| self.at(z).map(|(w, slope)| Jet::analytic(w, slope)));
+    }
+}
+
+/// log|w| differs by less than this from that of points on a circle.
+const ON_CIRCLE: f64 = 1e-14;
+/// The image of what has none.
+const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
+
+/// The places of images; NaN where there is none.
+#[must_use]
+pub fn places(images: &[Complex64], place: &dyn Fn(Complex64) -> Option<(Complex64, Complex64)>) -> Vec<Complex64> {
+    images.iter().map(|&w| place(w).map_or(NOWHERE, |(z, _)| z)).collect()
+}
+
+/// Makes a class with a [`Canonical`] in `map`, and a method `place` for the way back, a map that goes both ways.
+macro_rules! two_ways {
+    ($class:ident) => {
+        impl $crate::map::PlaneMap for $class {
+            fn jets(&self, points: &[$crate::plane::Complex64], jets: &mut [$crate::map::Jet]) {
+                self.map.jets(points, jets);
+            }
+
+            fn inverse_map(&self) -> Option<Box<dyn $crate::map::PlaneMap + '_>> {
+                Some(Box::new($crate::map::Inverse(self)))
+            }
+        }
+
+        impl $crate::map::InvertibleMap for $class {
+            fn inverse_jets(&self, points: &[$crate::plane::Complex64], jets: &mut [$crate::map::Jet]) {
+                let jet = |(z, slope)| $crate::map::Jet::analytic(z, slope);
+                $crate::map::pointwise(points, jets, |w| self.place(w).map(jet));
+            }
+        }
+    };
+}
+pub(super) use two_ways;

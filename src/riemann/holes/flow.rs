@@ -1,0 +1,270 @@
+//! Flow of an ideal fluid past bodies.
+
+use super::field::DomainField;
+use super::solved::{Evidence, Solved, evidence_methods};
+use crate::plane::{BoundaryPoint, Complex64, Domain, DomainPoint};
+use crate::symm::options::{Progress, SolveOptions};
+use crate::symm::problem::{Problem, Source};
+use crate::{Error, Result};
+use std::f64::consts::{PI, TAU};
+
+/// How much fluid turns around the bodies.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Circulation {
+    /// ∮ u·dl around each body, counter-clockwise.
+    Given(Vec<f64>),
+    /// Whatever lets the fluid leave each body at this vertex (Kutta's condition).
+    Kutta {
+        /// The trailing vertex of each body: an index of its boundary points, counter-clockwise.
+        trailing: Vec<usize>,
+    },
+}
+
+/// The plane flow of an ideal fluid past one or more bodies.
+///
+/// The complex potential is W = U(e^{−iα} z + i ∫ log(z − y) σ(y) ds), of which Im W = −cⱼ on body j; its circulation is −2π times
+/// the charge ∫ σ there. Kutta's condition, that σ has no singular part at the trailing vertex, is linear in the charges.
+///
+/// ```
+/// use conformal_warp::{Circulation, Complex64, Curve, Domain, PotentialFlow, SolveOptions};
+/// use std::f64::consts::TAU;
+/// let circle: Vec<_> = (0..40).map(|k| Complex64::from_polar(1.0, TAU * f64::from(k) / 40.0)).collect();
+/// let outside = Domain::exterior(&[circle], Curve::Smooth)?;
+/// let still = Circulation::Given(vec![0.0]);
+/// let flow = PotentialFlow::past(&outside, 1.0, 0.0, &still, &SolveOptions::default(), &mut |_, _| true)?;
+/// assert!((flow.velocity(&[Complex64::new(0.0, 1.0)])[0] - 2.0).norm() < 1e-8, "twice as fast at the shoulders");
+/// # Ok::<(), conformal_warp::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct PotentialFlow {
+    field: DomainField,
+    /// W = this · B + shift.
+    factor: Complex64,
+    shift: Complex64,
+    speed: f64,
+    angle: f64,
+    circulation: Vec<f64>,
+    evidence: Evidence,
+}
+
+impl PotentialFlow {
+    /// Solves for the flow that comes from far away with a speed, at an angle to the x axis (radians).
+    ///
+    /// # Errors
+    /// [`Error::WrongRegion`] within an outer boundary; [`Error::InvalidOption`] for a speed that is not positive, an angle that
+    /// is not finite, or a trailing vertex that is none or points inwards; [`Error::WrongLength`] unless there is one circulation
+    /// or vertex for each body; [`Error::Cancelled`], [`Error::Inaccurate`], [`Error::TooFewPoints`].
+    pub fn past(
+        domain: &Domain,
+        speed: f64,
+        angle: f64,
+        circulation: &Circulation,
+        options: &SolveOptions,
+        progress: Progress,
+    ) -> Result<Self> {
+        let bodies = domain.contours().len();
+        if domain.is_bounded() {
+            let found = "an outer boundary".to_string();
+            return Err(Error::WrongRegion { what: "A flow past bodies", needed: "the outside of bodies", found });
+        }
+        if !(speed.is_finite() && speed > 0.0) {
+            return Err(Error::InvalidOption { name: "speed", expected: "a positive number", value: speed });
+        }
+        if !angle.is_finite() {
+            return Err(Error::InvalidOption { name: "angle", expected: "a number of radians", value: angle });
+        }
+        let (what, found) = match circulation {
+            Circulation::Given(given) => ("The circulation", given.len()),
+            Circulation::Kutta { trailing } => ("trailing", trailing.len()),
+        };
+        if found != bodies {
+            return Err(Error::WrongLength { what, expected: format!("as many as there are bodies, {bodies}"), found });
+        }
+        let problems = |_| {
+            let wind =
+                Problem { source: Source::Stream(Complex64::i() * Complex64::cis(-angle)), charges: vec![0.0; bodies] };
+            let turning = |k: usize| {
+                let mut charges = vec![0.0; bodies];
+                charges[k] = 1.0;
+                Problem::charged(charges)
+            };
+            std::iter::once(wind).chain((0..bodies).map(turning)).collect()
+        };
+        let solved = Solved::solve(domain, &problems, options, progress)?;
+        let scale = solved.scale();
+        let charges = match circulation {
+            Circulation::Given(given) => given.iter().map(|gamma| -gamma * scale.unit / (TAU * speed)).collect(),
+            Circulation::Kutta { trailing } => kutta_charges(domain, &solved, trailing)?,
+        };
+        let circulation = charges.iter().map(|charge| -TAU * charge * speed / scale.unit).collect();
+        let weights: Vec<f64> = std::iter::once(1.0).chain(charges).collect();
+        let field = solved.field(&weights);
+        let factor = Complex64::i() * (speed / scale.unit);
+        let shift = speed * Complex64::cis(-angle) * scale.origin;
+        Ok(Self { field, factor, shift, speed, angle, circulation, evidence: solved.evidence })
+    }
+
+    /// The outside of the bodies.
+    #[must_use]
+    pub fn domain(&self) -> &Domain {
+        self.field.domain()
+    }
+
+    /// ∮ u·dl around each body, counter-clockwise.
+    #[must_use]
+    pub fn circulation(&self) -> &[f64] {
+        &self.circulation
+    }
+
+    /// The complex potential W = φ + iψ at points; NaN inside bodies. With circulation φ jumps across a cut behind each body.
+    #[must_use]
+    pub fn potential(&self, points: &[Complex64]) -> Vec<Complex64> {
+        let nowhere = Complex64::new(f64::NAN, f64::NAN);
+        points.iter().map(|&z| self.field.at(z).map_or(nowhere, |(b, _)| self.factor * b + self.shift)).collect()
+    }
+
+    /// The stream function ψ at points: constant along streamlines, and on each body; NaN inside bodies.
+    #[must_use]
+    pub fn stream(&self, points: &[Complex64]) -> Vec<f64> {
+        self.potential(points).iter().map(|w| w.im).collect()
+    }
+
+    /// The velocity u + iv at points; NaN inside bodies, infinite at a corner that the fluid goes around.
+    #[must_use]
+    pub fn velocity(&self, points: &[Complex64]) -> Vec<Complex64> {
+        let nowhere = Complex64::new(f64::NAN, f64::NAN);
+        points.iter().map(|&z| self.slope(z).map_or(nowhere, |slope| slope.conj())).collect()
+    }
+
+    /// The pressure coefficient 1 − |u|²/U² at points.
+    #[must_use]
+    pub fn pressure(&self, points: &[Complex64]) -> Vec<f64> {
+        self.velocity(points).iter().map(|u| 1.0 - u.norm_sqr() / (self.speed * self.speed)).collect()
+    }
+
+    fn slope(&self, z: Complex64) -> Option<Complex64> {
+        self.field.at(z).map(|(_, slope)| self.factor * slope)
+    }
+
+    /// The lift of all bodies a unit of span, by Kutta and Joukowski: −ρUΓ at right angles to the wind, for density ρ.
+    #[must_use]
+    pub fn lift(&self, density: f64) -> f64 {
+        -density * self.speed * self.circulation.iter().sum::<f64>()
+    }
+
+    /// The force on all bodies, X + iY a unit of span, by Blasius: X − iY = iρ/2 ∮ W'² dz around them.
+    #[must_use]
+    pub fn force(&self, density: f64) -> Complex64 {
+        const POINTS: u32 = 64;
+        let points: Vec<Complex64> =
+            self.domain().contours().iter().flat_map(|c| c.polygon().vertices()).copied().collect();
+        let middle = points.iter().sum::<Complex64>() / points.len() as f64;
+        let reach = points.iter().map(|z| (z - middle).norm()).fold(0.0, f64::max);
+        let around: Complex64 = (0..POINTS)
+            .map(|k| Complex64::from_polar(3.0 * reach, TAU * f64::from(k) / f64::from(POINTS)))
+            .filter_map(|turn| {
+                let slope = self.slope(middle + turn)?;
+                Some(slope * slope * turn * Complex64::i())
+            })
+            .sum();
+        (Complex64::i() * (0.5 * density * TAU / f64::from(POINTS)) * around).conj()
+    }
+
+    /// The direction that the wind blows in, in radians.
+    #[must_use]
+    pub fn angle(&self) -> f64 {
+        self.angle
+    }
+
+    /// The points of the bodies where the fluid rests: those from which streamlines part, and where they join.
+    #[must_use]
+    pub fn stagnation_points(&self) -> Vec<Complex64> {
+        let contours = self.domain().contours();
+        let along = |component: usize, place: f64| {
+            let edges = contours[component].polygon().len();
+            let place = place.rem_euclid(edges as f64);
+            let edge = (place as usize).min(edges - 1);
+            DomainPoint { component, place: BoundaryPoint { edge, t: place - edge as f64, point: Complex64::ZERO } }
+        };
+        let mut found = Vec::new();
+        for (component, contour) in contours.iter().enumerate() {
+            const SAMPLES: usize = 8;
+            let edges = contour.polygon().len();
+            // φ along the body rises and falls between stagnation points.
+            let phi = |place: f64| (self.factor * self.field.on_boundary(along(component, place)).0).re;
+            let step = 1.0 / SAMPLES as f64;
+            let count = edges * SAMPLES;
+            let turn = self.circulation[component];
+            let values: Vec<f64> = (0..count).map(|k| phi(k as f64 * step)).collect();
+            let value = |k: usize| values[k % count] + turn * (k / count) as f64;
+            for k in 1..=count {
+                let (before, here, after) = (value(k - 1), value(k), value(k + 1));
+                if (here - before) * (after - here) > 0.0 {
+                    continue;
+                }
+                let sign = if here >= before { 1.0 } else { -1.0 };
+                let base = k as f64 * step;
+                let shifted = |place: f64| {
+                    let laps = (place / edges as f64).floor();
+                    sign * (phi(place) + turn * laps)
+                };
+                let place = extreme(&shifted, base - step, base + step);
+                let DomainPoint { place, .. } = along(component, place);
+                found.push(match contour.smooth() {
+                    Some(curve) => curve.point(curve.parameter(place)),
+                    None => {
+                        let (a, b) = contour.polygon().edge(place.edge);
+                        a + (b - a) * place.t
+                    }
+                });
+            }
+        }
+        found
+    }
+}
+
+evidence_methods!(PotentialFlow, "of W, in units of the speed times the bodies' size.");
+
+/// Where a function that rises and then falls is largest, by golden section.
+fn extreme(value: &dyn Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_8;
+    for _ in 0..60 {
+        let [a, b] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+        if value(a) > value(b) {
+            high = b;
+        } else {
+            low = a;
+        }
+    }
+    0.5 * (low + high)
+}
+
+/// Charges with which the densities' singular parts at the trailing vertices cancel.
+fn kutta_charges(domain: &Domain, solved: &Solved, trailing: &[usize]) -> Result<Vec<f64>> {
+    let bodies = trailing.len();
+    for (contour, &vertex) in domain.contours().iter().zip(trailing) {
+        let (value, polygon) = (vertex as f64, contour.polygon());
+        if vertex >= polygon.len() {
+            let expected = "the index of a boundary point of its body";
+            return Err(Error::InvalidOption { name: "trailing", expected, value });
+        }
+        let before = polygon.edge((vertex + polygon.len() - 1) % polygon.len());
+        let after = polygon.edge(vertex);
+        let turn = ((after.1 - after.0) * (before.1 - before.0).conj()).arg();
+        if contour.smooth().is_none() && !(turn > 0.0 && turn <= PI) {
+            let expected = "a vertex at which its body has a corner that points outwards";
+            return Err(Error::InvalidOption { name: "trailing", expected, value });
+        }
+    }
+    let fields: Vec<DomainField> = (0..=bodies)
+        .map(|k| solved.field(&(0..=bodies).map(|j| f64::from(u8::from(j == k))).collect::<Vec<_>>()))
+        .collect();
+    let mut system = Vec::with_capacity(bodies * bodies);
+    let mut rhs = Vec::with_capacity(bodies);
+    for (body, &vertex) in trailing.iter().enumerate() {
+        let strengths: Vec<f64> = fields.iter().map(|field| field.strength(body, vertex)).collect();
+        system.extend_from_slice(&strengths[1..]);
+        rhs.push(-strengths[0]);
+    }
+    Ok(crate::symm::small_solve(system, rhs))
+}

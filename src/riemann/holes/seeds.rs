@@ -1,0 +1,142 @@
+//! Points of a domain with their keys, from which the way back starts.
+
+use crate::plane::{Complex64, Domain};
+use std::f64::consts::TAU;
+
+/// Pairs (key, z), found by their keys.
+#[derive(Clone, Debug)]
+pub struct Seeds {
+    pairs: Vec<(Complex64, Complex64)>,
+    /// Whether keys count modulo 2πi.
+    periodic: bool,
+    low: Complex64,
+    /// Columns and rows a unit of the key.
+    scale: Complex64,
+    /// The pairs of each bin, row by row.
+    bins: Vec<Vec<u32>>,
+}
+
+/// Bins along each side.
+const BINS: i64 = 48;
+/// Points along each side of the box around the domain.
+const GRID: u32 = 40;
+/// Places on an edge, as shares of it,
+const ALONG: [f64; 9] = [0.001, 0.02, 0.12, 0.3, 0.5, 0.7, 0.88, 0.98, 0.999];
+/// of which there are about so many at most.
+const MOST_ON_BOUNDARY: usize = 6000;
+
+impl Seeds {
+    /// Samples a domain; `key` gives the key of a point of it.
+    #[must_use]
+    pub fn new(domain: &Domain, periodic: bool, key: &dyn Fn(Complex64) -> Option<Complex64>) -> Self {
+        let points = samples(domain);
+        let reduced = |key: Complex64| {
+            if periodic { Complex64::new(key.re, key.im.rem_euclid(TAU)) } else { key }
+        };
+        let pairs: Vec<_> = points.into_iter().filter_map(|z| Some((reduced(key(z)?), z))).collect();
+        let infinite = Complex64::new(f64::INFINITY, f64::INFINITY);
+        let (mut low, mut high) = (infinite, -infinite);
+        for (key, _) in &pairs {
+            low = Complex64::new(low.re.min(key.re), low.im.min(key.im));
+            high = Complex64::new(high.re.max(key.re), high.im.max(key.im));
+        }
+        if periodic {
+            (low.im, high.im) = (0.0, TAU);
+        }
+        let per_unit = |size: f64| if size > 0.0 { BINS as f64 / size } else { 1.0 };
+        let scale = Complex64::new(per_unit(high.re - low.re), per_unit(high.im - low.im));
+        let mut seeds = Self { pairs, periodic, low, scale, bins: vec![Vec::new(); (BINS * BINS) as usize] };
+        for index in 0..seeds.pairs.len() {
+            let (column, row) = seeds.bin(seeds.pairs[index].0);
+            seeds.bins[(row * BINS + column) as usize].push(index as u32);
+        }
+        seeds
+    }
+
+    fn bin(&self, key: Complex64) -> (i64, i64) {
+        let place = key - self.low;
+        let along = |x: f64, scale: f64| ((x * scale) as i64).clamp(0, BINS - 1);
+        (along(place.re, self.scale.re), along(place.im, self.scale.im))
+    }
+
+    /// A few pairs near a key, nearest first.
+    #[must_use]
+    pub fn near(&self, key: Complex64, count: usize) -> Vec<(Complex64, Complex64)> {
+        let key = if self.periodic { Complex64::new(key.re, key.im.rem_euclid(TAU)) } else { key };
+        let (column, row) = self.bin(key);
+        let distance = |other: Complex64| {
+            let mut apart = other - key;
+            if self.periodic {
+                apart.im -= TAU * (apart.im / TAU).round();
+            }
+            apart.norm_sqr()
+        };
+        let mut found: Vec<(f64, u32)> = Vec::new();
+        let mut last = false;
+        for reach in 0..BINS {
+            for (dx, dy) in ring(reach) {
+                let x = column + dx;
+                let y = if self.periodic { (row + dy).rem_euclid(BINS) } else { row + dy };
+                if (0..BINS).contains(&x) && (0..BINS).contains(&y) {
+                    let bin = &self.bins[(y * BINS + x) as usize];
+                    found.extend(bin.iter().map(|&index| (distance(self.pairs[index as usize].0), index)));
+                }
+            }
+            // One ring more: its bins may hold nearer ones.
+            if last {
+                break;
+            }
+            last = found.len() >= count;
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        found.dedup_by_key(|(_, index)| *index);
+        found.truncate(count);
+        found.into_iter().map(|(_, index)| self.pairs[index as usize]).collect()
+    }
+}
+
+/// The bins that are `reach` away.
+fn ring(reach: i64) -> impl Iterator<Item = (i64, i64)> {
+    let side = -reach..=reach;
+    side.clone()
+        .flat_map(move |y| side.clone().map(move |x| (x, y)))
+        .filter(move |(x, y)| x.abs().max(y.abs()) == reach)
+}
+
+/// Points all over a domain and on its boundary.
+fn samples(domain: &Domain) -> Vec<Complex64> {
+    let outlines: Vec<_> = domain.contours().iter().map(|contour| contour.polygon()).collect();
+    let (mut low, mut high) = outlines[0].bounds();
+    for outline in &outlines {
+        let (l, h) = outline.bounds();
+        low = Complex64::new(low.re.min(l.re), low.im.min(l.im));
+        high = Complex64::new(high.re.max(h.re), high.im.max(h.im));
+    }
+    let edges: usize = outlines.iter().map(|outline| outline.len()).sum();
+    let stride = (edges * ALONG.len() / MOST_ON_BOUNDARY).max(1);
+    let mut points = Vec::new();
+    for (contour, outline) in domain.contours().iter().zip(&outlines) {
+        for edge in 0..outline.len() {
+            for t in ALONG.iter().step_by(stride) {
+                let (a, b) = outline.edge(edge);
+                let z = a + (b - a) * t;
+                points.push(if contour.smooth().is_some() { contour.nearest(z).point } else { z });
+            }
+        }
+    }
+    let (middle, size) = (0.5 * (low + high), high - low);
+    let share = |k: u32| (f64::from(k) + 0.5) / f64::from(GRID) - 0.5;
+    let reach = if domain.is_bounded() { 1.0 } else { 2.0 };
+    for k in 0..GRID * GRID {
+        points.push(middle + Complex64::new(size.re * share(k % GRID), size.im * share(k / GRID)) * reach);
+    }
+    if !domain.is_bounded() {
+        const AROUND: u32 = 32;
+        for ring in 0..12 {
+            let radius = size.norm() * 2f64.powi(ring);
+            let at = |k: u32| middle + Complex64::from_polar(radius, TAU * f64::from(k) / f64::from(AROUND));
+            points.extend((0..AROUND).map(at));
+        }
+    }
+    points
+}

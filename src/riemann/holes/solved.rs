@@ -1,0 +1,192 @@
+//! Problems solved on a domain, whatever its boundary is made of.
+
+use super::field::DomainField;
+use crate::plane::{Complex64, Domain, SmoothCurve};
+use crate::symm::field::Field;
+use crate::symm::options::{Progress, SolveOptions, Stop};
+use crate::symm::problem::{Problem, Source};
+use crate::symm::smooth_field::SmoothField;
+use crate::symm::smooth_solve::{SmoothAdapted, solve_smooth_problems};
+use crate::symm::solve::{Adapted, solve_problems};
+use crate::{Error, Result};
+use std::sync::Arc;
+
+/// What a solve says of itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evidence {
+    /// Largest violation of the equations where they were not imposed.
+    pub residual: f64,
+    /// Estimate of the largest error.
+    pub error_estimate: f64,
+    /// Number of unknowns.
+    pub unknowns: usize,
+    /// Why the solve ended.
+    pub stop: Stop,
+}
+
+/// The coordinates that problems are stated in: (z − origin) × unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// Where they have their 0.
+    pub origin: Complex64,
+    /// A power of two.
+    pub unit: f64,
+}
+
+impl Scale {
+    /// Plane units → scaled units.
+    #[must_use]
+    pub fn scaled(self, z: Complex64) -> Complex64 {
+        (z - self.origin) * self.unit
+    }
+}
+
+/// Solutions of several problems on one domain.
+#[derive(Debug)]
+pub struct Solved {
+    domain: Arc<Domain>,
+    scale: Scale,
+    solutions: Solutions,
+    /// What the solve says of itself.
+    pub evidence: Evidence,
+}
+
+#[derive(Debug)]
+enum Solutions {
+    Polygons(Adapted),
+    Smooth(SmoothAdapted),
+}
+
+/// Estimates above this are none.
+const WORST_ESTIMATE: f64 = 1.0;
+
+impl Solved {
+    /// Solves the problems that `problems` states, given the scale.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`], [`Error::Cancelled`], [`Error::Inaccurate`], [`Error::TooFewPoints`].
+    pub fn solve(
+        domain: &Domain,
+        problems: &dyn Fn(Scale) -> Vec<Problem>,
+        options: &SolveOptions,
+        progress: Progress,
+    ) -> Result<Self> {
+        let (origin, local) = domain.local();
+        let curves: Option<Vec<Arc<SmoothCurve>>> =
+            local.contours().iter().map(|contour| contour.smooth().cloned()).collect();
+        let at = |unit: f64| problems(Scale { origin, unit });
+        let (solutions, unit, evidence) = match curves {
+            Some(curves) => {
+                let adapted = solve_smooth_problems(curves, &at, options, progress)?;
+                let evidence = Evidence {
+                    residual: adapted.residual,
+                    error_estimate: adapted.error_estimate,
+                    unknowns: adapted.system.len(),
+                    stop: adapted.stop,
+                };
+                let unit = adapted.system.unit;
+                (Solutions::Smooth(adapted), unit, evidence)
+            }
+            None => {
+                let adapted = solve_problems(&local, &|boundary| at(boundary.unit), options, progress)?;
+                let residuals = adapted.outcomes.iter().map(|outcome| outcome.residual());
+                let evidence = Evidence {
+                    residual: residuals.fold(0.0, f64::max),
+                    error_estimate: adapted.error_estimate,
+                    unknowns: adapted.system.discretisation.unknowns(),
+                    stop: adapted.stop,
+                };
+                let unit = adapted.system.discretisation.boundary.unit;
+                (Solutions::Polygons(adapted), unit, evidence)
+            }
+        };
+        let estimate = evidence.error_estimate;
+        if estimate.is_nan() || estimate > WORST_ESTIMATE {
+            return Err(Error::Inaccurate { estimate });
+        }
+        Ok(Self { domain: Arc::new(domain.clone()), scale: Scale { origin, unit }, solutions, evidence })
+    }
+
+    /// The coordinates of the problems.
+    #[must_use]
+    pub fn scale(&self) -> Scale {
+        self.scale
+    }
+
+    /// The constants cⱼ of problem `k`.
+    #[must_use]
+    pub fn constants(&self, k: usize) -> &[f64] {
+        match &self.solutions {
+            Solutions::Polygons(adapted) => &adapted.outcomes[k].constants,
+            Solutions::Smooth(adapted) => &adapted.outcomes[k].constants,
+        }
+    }
+
+    /// The function B of a sum of problems, each with its weight. At most one of them may have a source, with weight 1.
+    #[must_use]
+    pub fn field(&self, weights: &[f64]) -> DomainField {
+        let problems = match &self.solutions {
+            Solutions::Polygons(adapted) => &adapted.problems,
+            Solutions::Smooth(adapted) => &adapted.problems,
+        };
+        let used = problems.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
+        let source = used
+            .map(|(problem, _)| problem.source)
+            .find(|source| *source != Source::Nothing)
+            .unwrap_or(Source::Nothing);
+        let sum = |part: &dyn Fn(usize) -> Vec<f64>| {
+            let mut sum = part(0).iter().map(|x| x * weights[0]).collect::<Vec<f64>>();
+            for (k, weight) in weights.iter().enumerate().skip(1) {
+                sum.iter_mut().zip(part(k)).for_each(|(s, x)| *s += weight * x);
+            }
+            sum
+        };
+        let constants = sum(&|k| self.constants(k).to_vec());
+        let field = match &self.solutions {
+            Solutions::Polygons(adapted) => {
+                let masses = sum(&|k| adapted.outcomes[k].masses.clone());
+                super::field::Kind::Polygons(Field::new(&adapted.system, source, masses, constants))
+            }
+            Solutions::Smooth(adapted) => {
+                let masses = sum(&|k| adapted.outcomes[k].masses.clone());
+                let charges = sum(&|k| adapted.problems[k].charges.clone());
+                let bounded = self.domain.is_bounded();
+                let field = SmoothField::new(&adapted.system, bounded, source, charges, &masses, constants);
+                super::field::Kind::Smooth(field)
+            }
+        };
+        DomainField::new(Arc::clone(&self.domain), self.scale.origin, self.scale.unit, field)
+    }
+}
+
+/// Gives a class with a field `evidence` the methods that tell it.
+macro_rules! evidence_methods {
+    ($class:ident, $of_what:literal) => {
+        impl $class {
+            #[doc = concat!("Estimate of the largest error ", $of_what)]
+            #[must_use]
+            pub fn error_estimate(&self) -> f64 {
+                self.evidence.error_estimate
+            }
+
+            /// Largest violation of the boundary conditions where they were not imposed.
+            #[must_use]
+            pub fn residual(&self) -> f64 {
+                self.evidence.residual
+            }
+
+            /// Number of unknowns of the last system solved.
+            #[must_use]
+            pub fn unknowns(&self) -> usize {
+                self.evidence.unknowns
+            }
+
+            /// Why the solve ended: with the tolerance met, or short of it.
+            #[must_use]
+            pub fn stop(&self) -> $crate::symm::options::Stop {
+                self.evidence.stop
+            }
+        }
+    };
+}
+pub(super) use evidence_methods;

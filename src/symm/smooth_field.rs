@@ -1,0 +1,226 @@
+//! A solved problem as an analytic function, B = L − G, in the closed region, for smooth curves.
+//!
+//! H = L − Σ qⱼ log(z − pⱼ), with a point pⱼ in each hole, is analytic and single-valued. Its values on the curves are known up to
+//! a phase of each, which follows from ∮ H/(z − pⱼ) dz = 0 around the whole region; inside it is Cauchy's formula.
+
+use super::problem::{Problem, Source};
+use super::smooth_system::SmoothSystem;
+use crate::plane::fourier::transform;
+use crate::plane::{Complex64, SmoothCurve};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// The function B of a [`Problem`], in scaled units.
+#[derive(Clone, Debug)]
+pub struct SmoothField {
+    system: Arc<SmoothSystem>,
+    bounded: bool,
+    source: Source,
+    charges: Vec<f64>,
+    /// cⱼ.
+    pub constants: Vec<f64>,
+    /// Of each curve, Fourier coefficients σ₁ … of dμ/dt = (q + 2 Re Σ σₖ e^{ikt})/2π.
+    waves: Vec<Vec<Complex64>>,
+    /// Im B at t = 0.
+    phases: Vec<f64>,
+    /// A point in each hole; for an outer curve it is of no use.
+    inner_points: Vec<Complex64>,
+    /// H at the nodes.
+    values: Vec<Complex64>,
+}
+
+/// g of a problem at the nodes and at the checks.
+#[must_use]
+pub fn boundary_values(system: &SmoothSystem, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
+    let g = |z: &Complex64| problem.source.at(*z).0.re;
+    let (mut nodes, mut checks): (Vec<f64>, Vec<f64>) =
+        (system.nodes.iter().map(g).collect(), system.checks.iter().map(g).collect());
+    if matches!(problem.source, Source::Vortices(..)) {
+        // Its values jump by 2π where the branch does.
+        for own in &system.loops {
+            let mut previous = nodes[own.start];
+            for i in own.clone() {
+                for value in [&mut nodes[i], &mut checks[i]] {
+                    *value += TAU * ((previous - *value) / TAU).round();
+                    previous = *value;
+                }
+            }
+        }
+    }
+    (nodes, checks)
+}
+
+impl SmoothField {
+    /// From what solves a problem with the given charges.
+    #[must_use]
+    pub fn new(
+        system: &Arc<SmoothSystem>,
+        bounded: bool,
+        source: Source,
+        charges: Vec<f64>,
+        masses: &[f64],
+        constants: Vec<f64>,
+    ) -> Self {
+        let waves_of = |own: &std::ops::Range<usize>| {
+            let masses: Vec<Complex64> = masses[own.clone()].iter().map(|mass| Complex64::from(*mass)).collect();
+            transform(&masses)[1..own.len().div_ceil(2)].to_vec()
+        };
+        let waves = system.loops.iter().map(waves_of).collect();
+        let inner_points = system.curves.iter().map(|curve| inner_point(curve) * system.unit).collect();
+        let mut field = Self {
+            system: Arc::clone(system),
+            bounded,
+            source,
+            charges,
+            constants,
+            waves,
+            phases: vec![0.0; system.loops.len()],
+            inner_points,
+            values: Vec::new(),
+        };
+        field.find_values();
+        field
+    }
+
+    fn is_outer(&self, curve: usize) -> bool {
+        self.bounded && curve == 0
+    }
+
+    /// H at the nodes, and the phases that make it one analytic function.
+    fn find_values(&mut self) {
+        let system = Arc::clone(&self.system);
+        let problem = Problem { source: self.source, charges: self.charges.clone() };
+        let (g, _) = boundary_values(&system, &problem);
+        let mut values: Vec<Complex64> = Vec::with_capacity(system.len());
+        for (curve, own) in system.loops.iter().enumerate() {
+            let nodes = &system.nodes[own.clone()];
+            let mut along: Vec<Complex64> = (0..own.len())
+                .map(|j| self.on_curve(curve, TAU * j as f64 / own.len() as f64) + g[own.start + j])
+                .collect();
+            match self.source {
+                Source::Log(a) => add(&mut along, 1.0, continuous_arguments(nodes, a)),
+                source => add(&mut along, 1.0, nodes.iter().map(|z| source.at(*z).0.im)),
+            }
+            for (charge, p) in self.charged_holes() {
+                along.iter_mut().zip(nodes).for_each(|(value, z)| value.re -= charge * (z - p).norm().ln());
+                add(&mut along, -charge, continuous_arguments(nodes, p));
+            }
+            values.extend(along);
+        }
+        for curve in usize::from(self.bounded)..system.loops.len() {
+            let (p, mut sum) = (self.inner_points[curve], Complex64::ZERO);
+            for (i, weight) in self.weights() {
+                sum += values[i] * weight / (system.nodes[i] - p);
+            }
+            // The weights are those of dz/2πi, backwards around holes.
+            self.phases[curve] = sum.im;
+            for i in system.loops[curve].clone() {
+                values[i].im += self.phases[curve];
+            }
+        }
+        self.values = values;
+    }
+
+    /// Every node with its weight in ∮ dz/2πi, the region to the left.
+    fn weights(&self) -> impl Iterator<Item = (usize, Complex64)> + '_ {
+        self.system.loops.iter().enumerate().flat_map(move |(curve, own)| {
+            let sign = if self.is_outer(curve) { 1.0 } else { -1.0 };
+            let scale = Complex64::new(0.0, -sign / own.len() as f64);
+            own.clone().map(move |i| (i, self.system.tangents[i] * scale))
+        })
+    }
+
+    /// The holes' charges that are not 0, with a point in each.
+    fn charged_holes(&self) -> impl Iterator<Item = (f64, Complex64)> + '_ {
+        let all = self.charges.iter().copied().zip(self.inner_points.iter().copied());
+        all.skip(usize::from(self.bounded)).filter(|(charge, _)| *charge != 0.0)
+    }
+
+    /// (B, B') at a point of the region.
+    #[must_use]
+    pub fn at(&self, z: Complex64) -> (Complex64, Complex64) {
+        let (mut above, mut below) = (Complex64::ZERO, if self.bounded { 0.0.into() } else { Complex64::ONE });
+        for (i, weight) in self.weights() {
+            let apart = self.system.nodes[i] - z;
+            let weight = weight / apart;
+            above += self.values[i] * weight;
+            below += weight;
+        }
+        let mut value = above / below;
+        let mut slope = Complex64::ZERO;
+        for (i, weight) in self.weights() {
+            let apart = self.system.nodes[i] - z;
+            slope += (self.values[i] - value) * weight / (apart * apart);
+        }
+        slope /= below;
+        for (charge, p) in self.charged_holes() {
+            value += (z - p).ln() * charge;
+            slope += charge / (z - p);
+        }
+        let (source, source_slope) = self.source.at(z);
+        (value - source, slope - source_slope)
+    }
+
+    /// B at the point t of a curve.
+    #[must_use]
+    pub fn on_curve(&self, curve: usize, t: f64) -> Complex64 {
+        let turn = Complex64::cis(t);
+        let mut power = Complex64::ONE;
+        let mut sum = 0.0;
+        for (k, wave) in self.waves[curve].iter().enumerate() {
+            power *= turn;
+            sum += (wave * (power - 1.0)).im / (k + 1) as f64;
+        }
+        let mass = (self.charges[curve] * t + 2.0 * sum) * if self.is_outer(curve) { -1.0 } else { 1.0 };
+        Complex64::new(-self.constants[curve], self.phases[curve] + mass)
+    }
+
+    /// The density dμ/dt at the point t of a curve.
+    #[must_use]
+    pub fn density(&self, curve: usize, t: f64) -> f64 {
+        let turn = Complex64::cis(t);
+        let sum = self.waves[curve].iter().rev().fold(Complex64::ZERO, |sum, wave| (sum + wave) * turn);
+        (self.charges[curve] + 2.0 * sum.re) / TAU
+    }
+
+    /// (B, B') at the point t of a curve.
+    #[must_use]
+    pub fn on_curve_with_slope(&self, curve: usize, t: f64) -> (Complex64, Complex64) {
+        let along = TAU * self.density(curve, t) * if self.is_outer(curve) { -1.0 } else { 1.0 };
+        let tangent = self.system.curves[curve].tangent(t) * self.system.unit;
+        (self.on_curve(curve, t), Complex64::new(0.0, along) / tangent)
+    }
+}
+
+fn add(values: &mut [Complex64], factor: f64, imaginary: impl IntoIterator<Item = f64>) {
+    values.iter_mut().zip(imaginary).for_each(|(value, im)| value.im += factor * im);
+}
+
+/// arg(z − p) along nodes, continuous.
+fn continuous_arguments(nodes: &[Complex64], p: Complex64) -> Vec<f64> {
+    let mut previous = nodes[0] - p;
+    let mut argument = previous.arg();
+    nodes
+        .iter()
+        .map(|z| {
+            let here = z - p;
+            argument += (here * previous.conj()).arg();
+            previous = here;
+            argument
+        })
+        .collect()
+}
+
+/// A point well inside a curve.
+fn inner_point(curve: &SmoothCurve) -> Complex64 {
+    const STEPS: u32 = 12;
+    let (low, high) = curve.outline().bounds();
+    let size = high - low;
+    let share = |k: u32| (f64::from(k) + 0.5) / f64::from(STEPS);
+    let grid = (0..STEPS * STEPS).map(|k| low + Complex64::new(size.re * share(k % STEPS), size.im * share(k / STEPS)));
+    let middle = 0.5 * (low + high);
+    grid.chain([middle])
+        .map(|z| (z, curve.signed_distance(z)))
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .map_or(middle, |(z, _)| z)
+}
