@@ -59,12 +59,52 @@ fn a_mesh_is_two_copies_of_its_nodes() {
     }
 }
 
+/// A progress function that goes on for so many calls, and the list of what it was told.
+fn going_on_for(calls: u32) -> (JsValue, js_sys::Array) {
+    let told = js_sys::Array::new();
+    let text = format!("(told => (stage, fraction) => told.push([stage, fraction]) <= {calls})");
+    let make = js_sys::eval(&text).unwrap().unchecked_into::<js_sys::Function>();
+    (make.call1(&JsValue::UNDEFINED, &told).unwrap(), told)
+}
+
 #[wasm_bindgen_test]
-fn a_mesh_can_be_cancelled() {
-    let sampled = "maxErrorPixels: 0.5, frame: { center: [0, 0], width: 2, pixels: [100, 100] }";
-    assert!(mesh(&format!("{sampled}, onProgress: (stage, fraction) => fraction >= 0")).is_ok());
-    let failure = mesh(&format!("{sampled}, onProgress: () => false")).unwrap_err();
-    assert_eq!(property(&failure, "code").as_string().unwrap(), "cancelled");
+fn meshing_tells_how_far_it_is_and_can_be_cancelled() {
+    let maps = [square_map(), square_map()];
+    let failure =
+        |made: Result<JointTriangulation, JsValue>| made.map_or_else(|e| property(&e, "code"), |_| "none".into());
+    let make = |kind, options| {
+        let options = Ts::<SamplingOptions>::new_unchecked(options);
+        if kind == "to a region" {
+            JointTriangulation::region_to_region(&maps[0], &maps[1], options)
+        } else {
+            JointTriangulation::region_to_disk(&maps[0], options)
+        }
+    };
+    for kind in ["to the disk", "to a region"] {
+        let ask = |calls| {
+            let (function, told) = going_on_for(calls);
+            let options = object("maxErrorPixels: 0.5, frame: { center: [0, 0], width: 2, pixels: [100, 100] }");
+            Reflect::set(&options, &"onProgress".into(), &function).unwrap();
+            (make(kind, options).map_err(JsValue::from), told)
+        };
+        // The first time, the maps' evaluators are built too.
+        assert_eq!(failure(ask(1).0), "cancelled", "{kind}, building evaluators");
+        ask(u32::MAX).0.unwrap();
+        let (mesh, told) = ask(u32::MAX);
+        let mesh = mesh.unwrap();
+        assert!(told.length() > 1, "{kind}: {told:?}");
+        for told in told.iter().map(|told| js_sys::Array::from(&told)) {
+            assert!(told.get(0).is_string() && (0.0..=1.0).contains(&told.get(1).as_f64().unwrap()), "{told:?}");
+        }
+        for calls in [0, 1, told.length() / 2, told.length() - 1] {
+            let (cancelled, heard) = ask(calls);
+            assert_eq!(failure(cancelled), "cancelled", "{kind}, after {calls}");
+            assert_eq!(heard.length(), calls + 1, "{kind}: cancelled means that no more is told");
+            // The maps are as good as before.
+            let again = ask(u32::MAX).0.unwrap();
+            assert_eq!((again.source(), again.target()), (mesh.source(), mesh.target()), "{kind}, after {calls}");
+        }
+    }
 }
 
 #[wasm_bindgen_test]

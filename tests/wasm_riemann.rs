@@ -24,6 +24,17 @@ fn solve(options: &JsValue) -> Result<RiemannMap, JsValue> {
     RiemannMap::solve(&square(), Some(Ts::<RiemannOptions>::new_unchecked(options.clone()))).map_err(JsValue::from)
 }
 
+fn function(text: &str) -> js_sys::Function {
+    js_sys::eval(&format!("({text})")).unwrap().into()
+}
+
+/// A progress function that goes on for so many calls, and the list of what it was told.
+fn going_on_for(calls: u32) -> (js_sys::Function, js_sys::Array) {
+    let told = js_sys::Array::new();
+    let make = function(&format!("told => (stage, fraction) => told.push([stage, fraction]) <= {calls}"));
+    (make.call1(&JsValue::UNDEFINED, &told).unwrap().into(), told)
+}
+
 fn property(value: &JsValue, name: &str) -> JsValue {
     Reflect::get(value, &name.into()).unwrap()
 }
@@ -76,6 +87,51 @@ fn progress_is_told_and_can_cancel() {
     assert_eq!(property(&cancelled, "code"), "cancelled");
     let thrown = solve(&object("onProgress() { throw new RangeError('enough') }")).unwrap_err();
     assert_eq!((property(&thrown, "name"), property(&thrown, "message")), ("RangeError".into(), "enough".into()));
+}
+
+/// A long region, whose evaluator links the maps of several centers.
+fn long_map() -> RiemannMap {
+    let options = "boundary: new Float64Array([0, 0, 16, 0, 16, 1, 0, 1]), center: [3, 0.5], toward: [3, 0]";
+    let region = Region::new(Ts::<RegionOptions>::new_unchecked(object(options))).unwrap();
+    RiemannMap::solve(&region, Some(Ts::<RiemannOptions>::new_unchecked(object("tolerance: 1e-8")))).unwrap()
+}
+
+#[wasm_bindgen_test]
+fn preparing_tells_how_far_it_is_and_can_be_cancelled() {
+    let points = [0.3, 0.8, 3.2, 0.5, 9.0, 0.1, 15.5, 0.75];
+    let images = |map: &RiemannMap| {
+        let images = map.to_disk(&points).unwrap();
+        let back = map.from_disk(&images).unwrap();
+        [images, back]
+    };
+    let expected = images(&long_map());
+
+    let map = long_map();
+    let (listener, told) = going_on_for(u32::MAX);
+    map.prepare(Some(listener)).unwrap();
+    let total = told.length();
+    assert!(total > 4, "{told:?}");
+    for told in told.iter().map(|told| js_sys::Array::from(&told)) {
+        assert!(told.get(0).is_string() && (0.0..=1.0).contains(&told.get(1).as_f64().unwrap()), "{told:?}");
+    }
+    let bytes = map.evaluator_bytes();
+    assert_eq!(images(&map), expected);
+    assert_eq!(map.evaluator_bytes(), bytes, "nothing is left to build");
+
+    for calls in [0, 1, total / 2, total - 1] {
+        let map = long_map();
+        let (listener, told) = going_on_for(calls);
+        let cancelled = map.prepare(Some(listener)).map_err(JsValue::from).unwrap_err();
+        assert_eq!(property(&cancelled, "code"), "cancelled", "after {calls} of {total}");
+        assert_eq!(told.length(), calls + 1, "cancelled means that no more is told");
+        assert_eq!(images(&map), expected, "after {calls} of {total}");
+        map.prepare(None).unwrap();
+        assert_eq!(images(&map), expected, "prepared again after {calls} of {total}");
+    }
+
+    let throwing = function("() => { throw new RangeError('enough') }");
+    let thrown = long_map().prepare(Some(throwing)).map_err(JsValue::from).unwrap_err();
+    assert_eq!(property(&thrown, "name"), "RangeError");
 }
 
 #[wasm_bindgen_test]
