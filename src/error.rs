@@ -110,7 +110,7 @@ pub enum Error {
         "This needs {bytes} bytes of memory at once, more than can be had: ask for fewer pixels, rows or points at a time."
     )]
     OutOfMemory {
-        /// How much was wanted.
+        /// How many bytes were wanted.
         bytes: u64,
     },
     /// A texture that a prepared warp is not good for.
@@ -209,7 +209,7 @@ pub enum Error {
     InvalidParameter {
         /// The name given.
         name: String,
-        /// Why not.
+        /// Why it cannot.
         reason: &'static str,
     },
     /// A parameter that the formula was not made with.

@@ -21,17 +21,17 @@ pub struct Preset {
     pub params: &'static [(&'static str, Complex64)],
     /// Which way the formula is used.
     pub direction: Direction,
-    /// Where the picture lies.
+    /// The place of the picture in the plane.
     pub texture: Placement,
     /// What part of the plane to look at.
     pub view: Placement,
-    /// How the picture continues.
+    /// The wrap mode: how the picture continues beyond its edges.
     pub wrap: Wrap,
     /// The kind of picture that shows it best.
     pub picture: Picture,
 }
 
-/// A frame without pixel counts.
+/// A frame without pixel counts: a center and a width, in plane units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// The middle.
@@ -77,7 +77,7 @@ impl Preset {
     /// ```
     ///
     /// # Errors
-    /// None: the tests compile every preset.
+    /// There are none: the tests compile every preset.
     pub fn map(&self) -> Result<FormulaMap> {
         FormulaMap::with_params(self.formula, self.params)
     }

@@ -43,7 +43,7 @@ impl HalfDiskMap {
     /// The map with `omega` at 0 and the point `toward` of the half disk (on its rim, say) on the positive real axis.
     ///
     /// # Errors
-    /// As [`HalfDiskMap::new`]; also if `toward` is `omega` or outside the closed half disk.
+    /// The errors of [`HalfDiskMap::new`], also if `toward` is `omega` or outside the closed half disk.
     pub fn with_direction(omega: Complex64, toward: Complex64) -> Result<Self> {
         let plain = Self::new(omega, 0.0)?;
         let image = plain.forward(toward).value;
@@ -54,7 +54,7 @@ impl HalfDiskMap {
         Ok(Self { omega, turn: plain.turn * image.conj() / image.norm() })
     }
 
-    /// ω, the point that goes to 0.
+    /// The field coordinate ω, which goes to 0.
     #[must_use]
     pub fn omega(&self) -> Complex64 {
         self.omega

@@ -2,7 +2,7 @@
 
 use crate::plane::Complex64;
 
-/// What is known of the correspondence.
+/// What is known of the correspondence field → cortex: a point's place, and a direction there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landmark {
     /// The landmark's field coordinate, strictly inside the right hemifield.

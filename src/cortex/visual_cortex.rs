@@ -107,7 +107,7 @@ impl VisualCortex {
         Frame::new(0.5 * (low + high), dots[0] / dots_per_millimetre, dots.map(|dots| dots as usize))
     }
 
-    /// Which half of the brain it is.
+    /// The half of the brain that it is.
     #[must_use]
     pub fn hemisphere(&self) -> Hemisphere {
         self.hemisphere

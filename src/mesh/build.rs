@@ -46,7 +46,7 @@ impl JointTriangulation {
     /// false.
     ///
     /// # Errors
-    /// As there, and [`Error::Cancelled`].
+    /// Those of the call without `progress`, and [`Error::Cancelled`].
     pub fn region_to_disk_with(map: &RiemannMap, options: &MeshOptions, progress: Progress) -> Result<Self> {
         options.check()?;
         map.prepare(progress)?;
@@ -65,7 +65,7 @@ impl JointTriangulation {
     /// false.
     ///
     /// # Errors
-    /// As there, and [`Error::Cancelled`].
+    /// Those of the call without `progress`, and [`Error::Cancelled`].
     pub fn region_to_region_with(
         from: &RiemannMap,
         to: &RiemannMap,

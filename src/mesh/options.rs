@@ -40,7 +40,7 @@ pub enum Route {
 /// Options of a joint triangulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshOptions {
-    /// How many samples, and where.
+    /// How many samples there are, and where.
     pub density: Density,
     /// How samples travel from region to region; of no effect on region → disk.
     pub route: Route,

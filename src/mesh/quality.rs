@@ -21,7 +21,7 @@ pub(super) struct AngleErrors {
     pub(super) mean: f64,
 }
 
-/// Of all triangles.
+/// The largest and mean changes of an angle, over all triangles.
 pub(super) fn angle_errors(source: &[Complex64], target: &[Complex64], triangles: &[[u32; 3]]) -> AngleErrors {
     let corners = |points: &[Complex64], t: &[u32; 3]| t.map(|k| points[k as usize]);
     let (mut largest, mut sum, mut area): (f64, f64, f64) = (0.0, 0.0, 0.0);

@@ -9,10 +9,10 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Curve {
-    /// By straight edges.
+    /// Straight edges join them.
     #[default]
     Polygon,
-    /// By the trigonometric interpolant: a smooth curve through points that follow it evenly.
+    /// The trigonometric interpolant joins them: a smooth curve through points that follow it evenly.
     Smooth,
 }
 

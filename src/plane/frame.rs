@@ -54,7 +54,7 @@ impl Frame {
         self.pixel_size() * self.pixels[1] as f64
     }
 
-    /// [columns, rows].
+    /// The frame's pixel counts, [columns, rows].
     #[must_use]
     pub fn pixels(&self) -> [usize; 2] {
         self.pixels
@@ -80,7 +80,7 @@ impl Frame {
         self.center + Complex64::new((x - 0.5 * columns) * size, (0.5 * rows - y) * size)
     }
 
-    /// Plane → pixel coordinates; the inverse of [`Frame::to_plane`].
+    /// Plane → pixel coordinates (x, y), also outside the frame; the inverse of [`Frame::to_plane`].
     #[must_use]
     pub fn to_pixels(&self, z: Complex64) -> (f64, f64) {
         let size = self.pixel_size();

@@ -16,7 +16,7 @@ use kurbo::{BezPath, PathEl, Point};
 /// Subpaths without a segment draw nothing. An end that misses the start by less than the tolerance, as the rounded numbers
 /// of icons do, is closed. Text is read to its end: what cannot be read is an error that says where it stands.
 ///
-/// Whether it can bound a region is not asked: that is [`Region::new`](super::Region::new)'s.
+/// The outline may cross itself: whether it can bound a region is for [`Region::new`](super::Region::new)'s.
 ///
 /// ```
 /// use conformal_warp::parse_outline;

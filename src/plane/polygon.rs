@@ -143,7 +143,7 @@ impl Polygon {
         })
     }
 
-    /// The larger side of the bounding box.
+    /// The larger side of the bounding box, in plane units.
     #[must_use]
     pub fn size(&self) -> f64 {
         let (low, high) = self.bounds();
@@ -189,7 +189,8 @@ impl Polygon {
         BoundaryPoint { edge, t, point: if t == 0.0 { self.vertices[edge] } else { foot / self.unit + self.origin } }
     }
 
-    /// Distance from vertex `k` to the nearest edge that does not end there, or the shorter edge that does if that is less.
+    /// Distance (plane units) from vertex `k` to the nearest edge that does not end there, or the length of the shorter edge
+    /// that does, if that is less.
     #[must_use]
     pub fn clearance(&self, k: usize) -> f64 {
         let n = self.len();
@@ -267,7 +268,7 @@ fn power_of_two_below(x: f64) -> f64 {
     if x.is_normal() && x > 0.0 { f64::from_bits(x.to_bits() & 0x7ff0_0000_0000_0000) } else { 1.0 }
 }
 
-/// In units of the region's size, or of its distance from 0 if that is larger: nearer to the boundary than this is on it.
+/// This share of the region's size, or of its distance from 0 if that is larger: nearer to the boundary than this is on it.
 pub(crate) const ON_BOUNDARY: f64 = 4.0 * f64::EPSILON;
 /// A polygon farther from 0 than this many times its size is looked at from its middle.
 const FAR: f64 = 4.0;

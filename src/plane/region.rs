@@ -58,7 +58,7 @@ impl Region {
         (origin, Self { contour: self.contour.moved(-origin), center: self.center - origin, toward })
     }
 
-    /// The boundary points, counter-clockwise.
+    /// The boundary points in plane units, counter-clockwise.
     #[must_use]
     pub fn boundary(&self) -> &[Complex64] {
         self.polygon().vertices()

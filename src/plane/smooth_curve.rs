@@ -27,7 +27,7 @@ pub struct SmoothCurve {
 struct Tail {
     /// Sum of their sizes, about.
     size: f64,
-    /// By how much waves shrink over an eighth of the points.
+    /// The factor by which waves shrink over an eighth of the points.
     ratio: f64,
 }
 
@@ -78,7 +78,7 @@ impl SmoothCurve {
         let relative: Vec<Complex64> = points.iter().map(|z| z - origin).collect();
         let size = relative.iter().map(|z| z.norm()).fold(0.0, f64::max);
         let spectrum: Vec<Complex64> = transform(&relative).iter().map(|c| c / n as f64).collect();
-        // Of an even number, the two waves of the highest frequency look alike at the points, and share its coefficient.
+        // When the number is even, the two waves of the highest frequency look alike at the points, and share its coefficient.
         let wave = |k: usize| {
             let pair = [spectrum[(n - k) % n], spectrum[k % n]];
             if 2 * k == n { pair.map(|c| c * 0.5) } else { pair }
@@ -155,25 +155,25 @@ impl SmoothCurve {
         &self.outline
     }
 
-    /// z(t).
+    /// Parameter → curve: z(t), 2π-periodic in t.
     #[must_use]
     pub fn point(&self, t: f64) -> Complex64 {
         self.origin + evaluate(&self.coefficients, self.highest, t, 0)
     }
 
-    /// z'(t).
+    /// The derivative z'(t), which points along the curve.
     #[must_use]
     pub fn tangent(&self, t: f64) -> Complex64 {
         evaluate(&self.coefficients, self.highest, t, 1)
     }
 
-    /// The parameter of a place between two given points.
+    /// Place between two given points → parameter t in [0, 2π].
     #[must_use]
     pub fn parameter(&self, place: BoundaryPoint) -> f64 {
         TAU * (place.edge as f64 + place.t) / self.points.len() as f64
     }
 
-    /// The place of a parameter between two given points.
+    /// Parameter t, in radians → place between two given points; the inverse of [`SmoothCurve::parameter`].
     #[must_use]
     pub fn place(&self, t: f64) -> BoundaryPoint {
         let n = self.points.len();
@@ -205,7 +205,7 @@ impl SmoothCurve {
         t.rem_euclid(TAU)
     }
 
-    /// Distance from the curve, positive inside, as precise as rounding allows near it.
+    /// Distance from the curve in plane units, positive inside, as precise as rounding allows near it.
     #[must_use]
     pub fn signed_distance(&self, z: Complex64) -> f64 {
         if !z.is_finite() {
@@ -225,13 +225,13 @@ impl SmoothCurve {
 }
 
 impl Tail {
-    /// From the sizes of all waves that the points show, longest first.
+    /// The tail told by the sizes of all waves that the points show, longest first.
     fn of(sizes: &[f64]) -> Self {
         let (m, eighth) = (sizes.len() - 1, sizes.len().div_ceil(4));
         let sum = |part: &[f64]| part.iter().sum::<f64>();
         let last = sum(&sizes[m + 1 - eighth..]);
         let before = sum(&sizes[(m + 1).saturating_sub(2 * eighth).max(1)..m + 1 - eighth]);
-        // Of few waves some may be absent by chance.
+        // Where waves are few, some may be absent by chance.
         let ratio = (last / before).clamp((4.0 / (m * m) as f64).min(SLOWEST), SLOWEST);
         Self { size: DOUBT * last * ratio / (1.0 - ratio), ratio }
     }

@@ -38,13 +38,13 @@ struct Look {
     filled: bool,
     stroked: bool,
     to_root: Affine,
-    /// Of the nearest viewport, which percentages mean.
+    /// Size of the nearest viewport, which percentages mean.
     size: [f64; 2],
     depth: usize,
 }
 
 impl Look {
-    /// With the element's own fill and stroke.
+    /// The inherited style with the element's own fill and stroke.
     fn of(self, node: Node<'_, '_>) -> Self {
         let is_set = |name| property(node, name).map(|value| value != "none" && value != "transparent");
         Self {

@@ -14,7 +14,7 @@ use std::sync::{Arc, OnceLock};
 
 /// Maps with estimates above this are none.
 const WORST_ESTIMATE: f64 = 1.0;
-/// In units of the region's size: what is beside the boundary.
+/// What is beside the boundary is this near to it, in units of the region's size.
 const BESIDE: f64 = 1e-14;
 
 /// A polygon's solution, and the expansions that are built when many points are asked for.
@@ -25,7 +25,7 @@ pub(super) struct SolvedPolygon {
     region: Region,
     solution: Solution,
     options: SolveOptions,
-    /// In scaled units.
+    /// The map both ways, in scaled units.
     expansions: OnceLock<Expansions>,
 }
 

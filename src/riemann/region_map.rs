@@ -68,7 +68,7 @@ impl RegionMap {
         self.way_back().values(points)
     }
 
-    /// The derivative of [`RegionMap::forward`].
+    /// The derivative of [`RegionMap::forward`], units of b per unit of a. NaN outside the closed region a.
     #[must_use]
     pub fn derivative(&self, points: &[Complex64]) -> Vec<Complex64> {
         let mut jets = vec![Jet::UNDEFINED; points.len()];
@@ -76,13 +76,13 @@ impl RegionMap {
         jets.iter().map(|jet| jet.dz).collect()
     }
 
-    /// Boundary of region a → boundary of region b.
+    /// Boundary of region a → boundary of region b, as [`RegionMap::forward`] takes it.
     #[must_use]
     pub fn boundary_forward(&self, point: BoundaryPoint) -> BoundaryPoint {
         self.way().boundary_point(point)
     }
 
-    /// Boundary of region b → boundary of region a.
+    /// Boundary of region b → boundary of region a; the inverse of [`RegionMap::boundary_forward`].
     #[must_use]
     pub fn boundary_inverse(&self, point: BoundaryPoint) -> BoundaryPoint {
         self.way_back().boundary_point(point)

@@ -23,7 +23,7 @@ pub struct BoundaryCorrespondence {
 }
 
 impl BoundaryCorrespondence {
-    /// From the node masses that solve Symm's equation; they are scaled to total mass 1.
+    /// The correspondence of the node masses that solve Symm's equation; they are scaled to total mass 1.
     #[must_use]
     pub fn new(discretisation: &Discretisation, masses: &[f64]) -> Self {
         // Where the measure is below rounding its sign is noise: angles must not run backwards there.

@@ -28,7 +28,7 @@ pub struct FastInfluence {
     order: usize,
     /// Targets a panel.
     targets_per_panel: usize,
-    /// For each unknown of a leaf, the scaled multipole coefficients of a unit mass: order + 1 of them.
+    /// The scaled multipole coefficients of a unit mass at each unknown of a leaf: order + 1 of them each.
     unit_multipoles: Vec<Complex64>,
     /// For each target, its place in its leaf's disk: (z − t)/radius.
     places: Vec<Complex64>,

@@ -46,7 +46,7 @@ pub struct LocalSeries {
 struct PanelSource {
     /// Its near end.
     origin: Complex64,
-    /// From the near to the far end.
+    /// The vector from the near to the far end.
     span: Complex64,
     /// Its end in boundary order.
     end: Complex64,

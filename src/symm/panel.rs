@@ -217,7 +217,7 @@ impl Panel {
 const SHORTEST: f64 = 1e-13;
 
 /// First panels: at every corner one of `kappa` × its clearance, then panels that double in length up to mid-edge.
-/// In boundary order from vertex 0.
+/// The first panels, in boundary order from vertex 0.
 #[must_use]
 pub fn initial_panels(boundary: &Boundary, kappa: f64) -> Vec<Panel> {
     let n = boundary.len();

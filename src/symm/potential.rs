@@ -16,7 +16,7 @@ pub struct LogPotential {
 }
 
 impl LogPotential {
-    /// From node masses; they are scaled to total mass 1.
+    /// The potential of node masses; they are scaled to total mass 1.
     #[must_use]
     pub fn new(masses: &[f64]) -> Self {
         let total: f64 = masses.iter().sum();

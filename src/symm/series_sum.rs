@@ -24,11 +24,11 @@ pub struct Sum<'a> {
 pub struct Piece {
     /// Its middle.
     pub middle: Complex64,
-    /// From there to its end.
+    /// The vector from there to its end.
     pub half: Complex64,
 }
 
-/// Of the disk's radius: pieces that are far from a disk of nine tenths of the distance to the boundary are longer.
+/// This many times the disk's radius: pieces that are far from a disk of nine tenths of the distance to the boundary are longer.
 const SHORTEST_IN_DISK: f64 = 0.01;
 
 impl Sum<'_> {

@@ -7,7 +7,7 @@
 
 use super::panel::{Boundary, Panel};
 
-/// Of every panel, how the wall behind it amplifies its residual.
+/// How the wall behind each panel amplifies the panel's residual.
 #[derive(Clone, Debug)]
 pub struct ThinWalls {
     /// Length over width of the wall; 0 where there is none or a thick one. Negative where the boundary comes back along it.

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-/// Which quantity is averaged when texels become the coarser levels of a texture, and interpolated in the best quality.
+/// The quantity that is averaged when texels become the coarser levels of a texture, and interpolated in the best quality.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Light {
@@ -59,7 +59,7 @@ fn srgb_to_linear(share: f64) -> f64 {
     if share <= 0.04045 { share / 12.92 } else { ((share + 0.055) / 1.055).powf(2.4) }
 }
 
-/// The other way.
+/// Linear light → sRGB, both shares of 1.
 pub(super) fn linear_to_srgb(light: f64) -> f64 {
     if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }
 }

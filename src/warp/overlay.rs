@@ -14,7 +14,7 @@ use std::ops::Range;
 /// What to draw over a view whose point p is taken to f(p).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Overlay {
-    /// Where Re f or Im f is a multiple of `spacing`.
+    /// Lines where Re f or Im f is a multiple of `spacing`.
     Cartesian {
         /// Distance of the lines, in units of f.
         spacing: f64,

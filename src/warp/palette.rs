@@ -2,7 +2,7 @@
 
 use super::light::linear_to_srgb;
 
-/// Straight sRGB.
+/// A colour in sRGB, each channel in [0, 1], without alpha.
 pub type Rgb = [f64; 3];
 
 /// A hue in turns, at even lightness and chroma (OKLCh): all hues look equally bright, so only the argument shows.

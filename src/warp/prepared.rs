@@ -44,7 +44,7 @@ pub struct PreparedWarp {
 pub(super) struct Span {
     /// The first of them, counted through the rows that are drawn.
     pub pixel: usize,
-    /// How many they are.
+    /// The number of pixels.
     pub count: usize,
     /// Where their footprints begin.
     start: usize,

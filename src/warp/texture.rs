@@ -98,7 +98,7 @@ impl Texture {
         [self.levels[0].width, self.levels[0].height]
     }
 
-    /// What lies beyond its edges.
+    /// The wrap mode: what lies beyond the picture's edges.
     #[must_use]
     pub fn wrap(&self) -> Wrap {
         self.wrap

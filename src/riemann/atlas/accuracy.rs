@@ -18,7 +18,7 @@ const SHARE_OF_ERROR: f64 = 0.03;
 const LARGEST_ERROR: f64 = 1e-3;
 
 impl Accuracy {
-    /// For the expansions of a solution.
+    /// The accuracy of the expansions of a solution.
     #[must_use]
     pub fn of(solution: &Solution) -> Self {
         Self {
@@ -83,5 +83,5 @@ impl Accuracy {
 /// Coefficients of an analytic function fall by more than this over a quarter of them.
 const FLAT: f64 = 0.3;
 
-/// Of a patch's series: as many terms as the first guess of its inverse has.
+/// A patch's series has at least as many terms as the first guess of its inverse.
 const LEAST_DEGREE: f64 = 6.0;

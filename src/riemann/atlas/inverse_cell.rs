@@ -104,7 +104,7 @@ impl<'a> Inverter<'a> {
         Some(cell)
     }
 
-    /// By Fourier's formula from preimages of the circle.
+    /// The polynomial by Fourier's formula from preimages of the circle.
     fn sampled(
         &self,
         center: Complex64,
@@ -240,7 +240,7 @@ impl<'a> Inverter<'a> {
         None
     }
 
-    /// By the chart's own sum.
+    /// The map by the chart's own sum.
     fn own(&self, z: Complex64) -> Option<Forward> {
         let wall = self.atlas.walls.nearest_of_all(z);
         if !wall.inside {

@@ -21,7 +21,7 @@ pub struct Patch {
     /// Images of the zone are not farther from iθ than this, in log w.
     farthest: f64,
     coefficients: Vec<f64>,
-    /// Of τ as a series in −i log w − θ₀.
+    /// Coefficients of τ as a series in −i log w − θ₀.
     first_guess: [f64; 6],
 }
 

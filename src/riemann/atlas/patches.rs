@@ -19,7 +19,7 @@ pub struct Patches {
 }
 
 impl Patches {
-    /// None yet.
+    /// A list without patches yet.
     #[must_use]
     pub fn new(boundary: &Arc<Boundary>, accuracy: Accuracy) -> Self {
         Self {

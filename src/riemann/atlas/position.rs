@@ -88,7 +88,7 @@ impl Angle {
         other.0.iter().fold(self.clone(), |sum, part| sum.plus(-part))
     }
 
-    /// As one number.
+    /// The position as one number.
     fn value(&self) -> f64 {
         self.0.iter().sum()
     }

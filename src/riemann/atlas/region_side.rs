@@ -84,7 +84,7 @@ impl RegionSide {
         }
     }
 
-    /// For the few places that no expansion reaches.
+    /// Direct summation, for the few places that no expansion reaches.
     #[cold]
     fn directly(&self, atlas: &Atlas, chart: usize, z: Complex64) -> Option<Complex64> {
         let nearest = atlas.walls.nearest_of_all(z);

@@ -79,7 +79,7 @@ impl Walls {
         self.nearest(z, &[edge as u32])
     }
 
-    /// Of some edges those that come as near as `limit`.
+    /// Those of some edges that come as near as `limit`.
     #[must_use]
     pub fn within(&self, z: Complex64, among: &[u32], limit: f64) -> Vec<u32> {
         among.iter().copied().filter(|&edge| self.distance(z, edge as usize) <= limit).collect()

@@ -30,7 +30,7 @@ pub struct Zone {
 /// Where a point lies with respect to a zone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place {
-    /// In the closed region, at τ.
+    /// It lies in the closed region, at τ.
     At(Complex64),
     Outside,
 }

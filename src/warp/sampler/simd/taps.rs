@@ -98,7 +98,7 @@ impl Along {
 }
 
 impl Weights {
-    /// None for taps of the border.
+    /// The weights with 0 for taps of the border.
     #[inline(always)]
     fn within(self, column: &Along, row: &Along) -> Self {
         let (Self([a, b, c, d]), [left, right], [upper, lower]) = (self, column.inner(), row.inner());
