@@ -65,7 +65,7 @@ pub use cortex::{
 pub use error::{Error, Result};
 pub use formula::FormulaMap;
 pub use map::{Compose, Inverse, InvertibleMap, Jet, Moebius, PlaneMap};
-pub use mesh::{Density, JointTriangulation, MeshOptions, MeshStop, Route};
+pub use mesh::{Density, JointTriangulation, MeshEvidence, MeshOptions, MeshStop, Route};
 pub use plane::{BoundaryPoint, Complex64, Curve, Domain, Frame, Polygon, Region, SmoothCurve, parse_outline};
 pub use riemann::{
     AnnulusMap, Circulation, Conductors, DiskPoint, Electrostatics, ExteriorMap, PotentialFlow, RegionMap, RiemannMap,

@@ -1,7 +1,7 @@
 //! A joint triangulation in the making: nodes are added in pairs, then connected anew.
 
 use super::correspondence::Correspondence;
-use super::joint::Evidence;
+use super::joint::MeshEvidence;
 use super::ring::{Ring, RingNode, Room};
 use super::side::Outline;
 use super::triangles::orientation;
@@ -23,7 +23,7 @@ pub(super) struct Draft<'a> {
     /// Where on the ring a node is, for boundary nodes.
     pub(super) places: Vec<Option<RingNode>>,
     pub(super) triangles: Vec<[u32; 3]>,
-    pub(super) evidence: Evidence,
+    pub(super) evidence: MeshEvidence,
     pub(super) room: Room,
     /// Where inner nodes of the source are, as bits: two middles may fall together.
     taken: HashSet<[u64; 2]>,
@@ -33,7 +33,7 @@ impl<'a> Draft<'a> {
     /// The refined boundary.
     pub(super) fn new(map: &'a dyn Correspondence, spacing: f64, room: Room) -> Result<Self> {
         let ring = Ring::new(map, spacing, room)?;
-        let evidence = Evidence { moved: ring.moved, ..Evidence::default() };
+        let evidence = MeshEvidence { moved: ring.moved, ..MeshEvidence::default() };
         Ok(Self {
             map,
             outlines: map.copies().map(Outline::new),

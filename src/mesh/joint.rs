@@ -18,7 +18,7 @@ pub struct JointTriangulation {
     /// What each of them must be, in each copy.
     pub(super) shapes: [Vec<Shape>; 2],
     pub(super) magnification: Vec<f64>,
-    pub(super) evidence: Evidence,
+    pub(super) evidence: MeshEvidence,
 }
 
 /// The outline that a copy must have.
@@ -49,7 +49,7 @@ pub enum MeshStop {
 /// where a method says so.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
-pub struct Evidence {
+pub struct MeshEvidence {
     /// Triangles of the first connectivity that were flipped or degenerate in the target.
     pub flipped_at_first: usize,
     /// Nodes added to undo those flips.
@@ -75,20 +75,20 @@ pub struct Evidence {
     pub pixel_size: Option<f64>,
 }
 
-impl Evidence {
-    /// [`Evidence::largest_error`] in pixels, if a frame was given.
+impl MeshEvidence {
+    /// [`MeshEvidence::largest_error`] in pixels, if a frame was given.
     #[must_use]
     pub fn largest_error_pixels(&self) -> Option<f64> {
         self.pixel_size.map(|pixel| self.largest_error / pixel)
     }
 
-    /// [`Evidence::crowded_error`] in pixels, if a frame was given.
+    /// [`MeshEvidence::crowded_error`] in pixels, if a frame was given.
     #[must_use]
     pub fn crowded_error_pixels(&self) -> Option<f64> {
         self.pixel_size.map(|pixel| self.crowded_error / pixel)
     }
 
-    /// [`Evidence::route_difference`] in pixels, if a frame was given.
+    /// [`MeshEvidence::route_difference`] in pixels, if a frame was given.
     #[must_use]
     pub fn route_difference_pixels(&self) -> Option<f64> {
         self.pixel_size.map(|pixel| self.route_difference / pixel)
@@ -175,7 +175,7 @@ impl JointTriangulation {
 
     /// What the making of the mesh found out.
     #[must_use]
-    pub fn evidence(&self) -> Evidence {
+    pub fn evidence(&self) -> MeshEvidence {
         self.evidence
     }
 }

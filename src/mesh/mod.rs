@@ -35,5 +35,5 @@ mod star;
 mod triangles;
 mod validate;
 
-pub use joint::{Evidence, JointTriangulation, MeshStop};
+pub use joint::{JointTriangulation, MeshEvidence, MeshStop};
 pub use options::{Density, MeshOptions, Route};

@@ -1,6 +1,6 @@
 //! The proof that a joint triangulation is one.
 
-use super::joint::{Evidence, JointTriangulation, Shape};
+use super::joint::{JointTriangulation, MeshEvidence, Shape};
 use super::quality;
 use super::triangles::{boundary_edges, check_indices, invalid, orientation, outlines_of};
 use crate::Result;
@@ -38,7 +38,8 @@ impl JointTriangulation {
         };
         let shapes = [polygons(&source)?, polygons(&target)?];
         let magnification = quality::magnification(&source, &target, &triangles);
-        let mesh = Self { source, target, triangles, outlines, shapes, magnification, evidence: Evidence::default() };
+        let mesh =
+            Self { source, target, triangles, outlines, shapes, magnification, evidence: MeshEvidence::default() };
         mesh.validate()?;
         Ok(mesh)
     }

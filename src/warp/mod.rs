@@ -14,13 +14,14 @@
 //! - [`warping`] is what all warps share: footprints go by [`strip`]s to the [`sampler`], or into a [`prepared`] warp;
 //!   [`render`] is the loop over the strips;
 //! - [`plane_map`] is the warp of a map: [`pull_back`] asks it for a [`node`] at the corners of blocks, which [`refine`]
-//!   subdivides until a [`patch`] fits; [`push_forward`] meshes the texture's frame ([`source_mesh`]);
+//!   subdivides until a [`coons_patch`] fits; [`push_forward`] meshes the texture's frame ([`source_mesh`]);
 //! - [`mesh`] is the warp of triangles: [`raster`] converts them, [`outline`] and [`union`] say how much of a pixel they
 //!   cover; [`joint`] draws a joint triangulation;
 //! - [`foveated`] stacks textures, made of [`crop`]s; [`recovery`] goes there and back;
 //! - [`overlay`] draws what explains a map, in colours of the [`palette`].
 
 pub(crate) mod buffer;
+mod coons_patch;
 mod crop;
 mod foveated;
 mod joint;
@@ -31,7 +32,6 @@ mod options;
 mod outline;
 mod overlay;
 mod palette;
-mod patch;
 mod plane_map;
 mod prepared;
 mod pull_back;

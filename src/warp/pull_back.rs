@@ -1,8 +1,8 @@
 //! Pull-back: the output point p shows the texture at f(p), for any map f of the plane.
 
+use super::coons_patch::{CoonsPatch, log2};
 use super::node::{Node, Pair, Scale};
 use super::options::{WarpOptions, Wrap};
-use super::patch::{Patch, log2};
 use super::refine::{LARGEST, Sight, Square};
 use super::render::{Footprints, TexelGrid, each_strip};
 use super::strip::{self, Strip};
@@ -58,7 +58,7 @@ impl<M: PlaneMap + ?Sized> Footprints for PullBack<'_, M> {
 const EDGE_SAMPLES: usize = 4;
 
 impl<M: PlaneMap + ?Sized> PullBack<'_, M> {
-    fn draw_patch(&self, strip: &mut Strip, patch: &Patch, square: &Square) {
+    fn draw_patch(&self, strip: &mut Strip, patch: &CoonsPatch, square: &Square) {
         let shift = self.shift(patch.corner());
         let count = square.side.min(strip.width - square.x);
         for row in rows_of(square, strip) {

@@ -3,8 +3,8 @@
 //! A block is checked at its centre and the middles of its edges, in value and derivative. A branch cut, a pole or the
 //! edge of the domain fails the check at any size, so that what is left over is small and evaluated pixel by pixel.
 
+use super::coons_patch::CoonsPatch;
 use super::node::{Node, Pair, Scale};
-use super::patch::Patch;
 use crate::map::{Jet, PlaneMap};
 use crate::plane::{Complex64, Frame};
 
@@ -39,7 +39,7 @@ struct Block {
 #[derive(Default)]
 pub(super) struct Blocks {
     /// Squares over which a patch is the map.
-    pub smooth: Vec<(Square, Patch)>,
+    pub smooth: Vec<(Square, CoonsPatch)>,
     /// Squares whose pixels are to be evaluated one by one.
     pub rough: Vec<Square>,
     /// Such squares that reach over the edge of the domain.
@@ -47,12 +47,12 @@ pub(super) struct Blocks {
 }
 
 impl Block {
-    fn patch(&self) -> Patch {
-        Patch::new([&self.nodes[0], &self.nodes[2], &self.nodes[6], &self.nodes[8]], self.square.side as f64)
+    fn patch(&self) -> CoonsPatch {
+        CoonsPatch::new([&self.nodes[0], &self.nodes[2], &self.nodes[6], &self.nodes[8]], self.square.side as f64)
     }
 
     /// The patch, if it agrees with the map at all nodes.
-    fn smooth_patch(&self) -> Option<Patch> {
+    fn smooth_patch(&self) -> Option<CoonsPatch> {
         if !self.nodes.iter().all(Node::is_regular) {
             return None;
         }

@@ -64,7 +64,7 @@ impl DiskSide {
                 Source::Point(z, slope)
             }
             Leaf::Patch(index) => {
-                let (z, slope) = self.parts.patches[index as usize].inverse(w);
+                let (z, slope) = self.parts.patches[index as usize].preimage(w);
                 Source::Point(z, slope)
             }
             _ => self.at(w),

@@ -175,7 +175,7 @@ impl<'a> Inverter<'a> {
         }
         let found = self.walk(seed, w);
         match self.region.patch_at(found.z) {
-            Some(patch) if patch.chart == self.chart && found.reached => patch.inverse(w),
+            Some(patch) if patch.chart == self.chart && found.reached => patch.preimage(w),
             _ => (found.z, found.slope),
         }
     }
@@ -184,7 +184,7 @@ impl<'a> Inverter<'a> {
         let z = self.atlas.charts[self.chart].boundary_point(w.arg() / TAU);
         match self.region.patch_at(z) {
             // Beside a corner the patch knows better than numbers that count from vertex 0.
-            Some(patch) if patch.chart == self.chart => patch.inverse(w),
+            Some(patch) if patch.chart == self.chart => patch.preimage(w),
             _ => (z, self.forward(z).map_or(Complex64::ZERO, |value| value.slope.inv())),
         }
     }

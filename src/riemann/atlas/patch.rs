@@ -148,9 +148,9 @@ impl Patch {
         (self.on_disk(real_value(&self.coefficients, tau)) - w).norm() < 1e-12
     }
 
-    /// w → (z, dz/dw).
+    /// Disk → region: the point z that goes to w, and dz/dw.
     #[must_use]
-    pub fn inverse(&self, w: Complex64) -> (Complex64, Complex64) {
+    pub fn preimage(&self, w: Complex64) -> (Complex64, Complex64) {
         let tau = self.straightened(w);
         (self.zone.point(tau), self.inverse_slope(tau, w))
     }

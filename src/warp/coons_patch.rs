@@ -11,7 +11,7 @@ use super::strip::Strip;
 type Cubic = [f64; 4];
 
 /// The patch over [0, `side`]², in pixels from the block's top left corner.
-pub(super) struct Patch {
+pub(super) struct CoonsPatch {
     /// Whether the map is conformal at the corners.
     conformal: bool,
     /// The polynomials of the texture's columns and rows.
@@ -49,7 +49,7 @@ impl Component {
     }
 }
 
-impl Patch {
+impl CoonsPatch {
     /// `corners`: top left, top right, bottom left, bottom right.
     pub fn new(corners: [&Node; 4], side: f64) -> Self {
         let [a, b, c, d] = corners;
@@ -184,7 +184,7 @@ mod tests {
 
     fn error(n: i32, side: f64) -> f64 {
         let corners = [(0.0, 0.0), (side, 0.0), (0.0, side), (side, side)].map(|(x, y)| power(n, x, y));
-        let patch = Patch::new([&corners[0], &corners[1], &corners[2], &corners[3]], side);
+        let patch = CoonsPatch::new([&corners[0], &corners[1], &corners[2], &corners[3]], side);
         let at = [0.1, 0.35, 0.5, 0.8].map(|t| t * side);
         let pairs = at.into_iter().flat_map(|x| at.map(|y| (x, y)));
         let gaps = pairs.map(|(x, y)| {
@@ -204,7 +204,7 @@ mod tests {
     #[test]
     fn the_patch_differentiates_itself() {
         let corners = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0), (4.0, 4.0)].map(|(x, y)| power(5, x, y));
-        let patch = Patch::new([&corners[0], &corners[1], &corners[2], &corners[3]], 4.0);
+        let patch = CoonsPatch::new([&corners[0], &corners[1], &corners[2], &corners[3]], 4.0);
         let (x, y, h) = (1.3, 2.9, 1e-5);
         let node = patch.node(x, y);
         for k in 0..2 {
