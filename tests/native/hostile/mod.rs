@@ -1,9 +1,13 @@
 //! Campaigns of random and broken input: seeded, bounded, and counted. `npm test` runs a share of each, and
-//! `HOSTILE=20 cargo test --release --test native hostile -- --nocapture` twenty times as much, with its figures.
+//! `npm run test:hostile` twenty times as much, with its figures: those of docs/RELIABILITY.md.
 
 mod estimate;
+mod long;
+mod metamorphic;
 mod outlines;
 mod polygons;
+mod smooth;
+mod walkers;
 
 /// How many times the share of `npm test` is tried.
 fn rounds() -> u64 {
