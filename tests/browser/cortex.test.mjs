@@ -189,13 +189,8 @@ test("an outline is drawn, read from text and turned by its landmark", async () 
   await page.locator("#outline-form .primary").click();
   await page.waitForFunction(() => /crosses or touches itself/.test(document.getElementById("outline-refusal")?.textContent ?? ""));
   // From an SVG file, whose first path is not drawn and whose outline is scaled.
-  const file = (/** @type {string} */ drawn) => Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg"><defs><path id="a" d="M0 0 h1 v1 z"/></defs>${drawn}</svg>`);
-  const give = (/** @type {string} */ drawn) => page.locator("#outline-file").setInputFiles({ name: "v1.svg", mimeType: "image/svg+xml", buffer: file(drawn) });
-  await give('<path d="M0 0 h8 v4 z"/><path d="M20 0 h8 v4 z"/>');
-  await page.waitForFunction(() => /M20/.test(/** @type {HTMLTextAreaElement} */ (document.getElementById("outline-text")).value));
-  await page.locator("#outline-form .primary").click();
-  await page.waitForFunction(() => /2 curves/.test(document.getElementById("outline-refusal")?.textContent ?? ""));
-  await give('<g transform="scale(2)"><path d="M0 0 h4 q.5 1 0 2 h-4 z"/></g>');
+  const file = '<svg xmlns="http://www.w3.org/2000/svg"><defs><path id="a" d="M0 0 h1 v1 z"/></defs><g transform="scale(2)"><path d="M0 0 h4 q.5 1 0 2 h-4 z"/></g></svg>';
+  await page.locator("#outline-file").setInputFiles({ name: "v1.svg", mimeType: "image/svg+xml", buffer: Buffer.from(file) });
   await page.waitForFunction(() => /scale/.test(/** @type {HTMLTextAreaElement} */ (document.getElementById("outline-text")).value));
   await page.locator("#outline-form .primary").click();
   await page.locator("#outline-dialog").waitFor({ state: "hidden" });
