@@ -1,6 +1,6 @@
 // Lines over a picture as plain data: drawn on a canvas, on the page or off it, or written as an SVG file.
 
-import { toPixels } from "./frame.js";
+import { scaleOf, toPixels } from "./frame.js";
 
 /** @typedef {import("./frame.js").Frame} Frame */
 /** @typedef {import("./frame.js").Point} Point */
@@ -39,11 +39,7 @@ export function drawLayers({ context, frame, density }, layers) {
   context.lineCap = "round";
   context.lineJoin = "round";
   for (const layer of layers) {
-    const path = new Path2D();
-    for (const line of pixelLines(layer, frame)) {
-      line.forEach(([x, y], k) => (k ? path.lineTo(x, y) : path.moveTo(x, y)));
-      if (layer.closed) path.closePath();
-    }
+    const path = tracedPath(layer, frame);
     const fill = FILLS[layer.ink];
     if (fill) {
       context.fillStyle = fill;
@@ -55,6 +51,31 @@ export function drawLayers({ context, frame, density }, layers) {
       context.stroke(path);
     }
   }
+}
+
+/** A layer as a path in pixels; without a point made for each, since meshes have many. @param {Layer} layer @param {Frame} frame */
+function tracedPath(layer, frame) {
+  const path = new Path2D();
+  const [left, top] = toPixels(frame, [0, 0]);
+  const scale = scaleOf(frame);
+  if ("edges" in layer) {
+    const { points, edges } = layer;
+    for (let k = 0; k + 1 < edges.length; k += 2) {
+      const [a, b] = [2 * edges[k], 2 * edges[k + 1]];
+      path.moveTo(left + scale * points[a], top - scale * points[a + 1]);
+      path.lineTo(left + scale * points[b], top - scale * points[b + 1]);
+    }
+    return path;
+  }
+  for (const line of layer.lines) {
+    for (let k = 0; k + 1 < line.length; k += 2) {
+      const [x, y] = [left + scale * line[k], top - scale * line[k + 1]];
+      if (k) path.lineTo(x, y);
+      else path.moveTo(x, y);
+    }
+    if (layer.closed) path.closePath();
+  }
+  return path;
 }
 
 /** Between two drawings of a file, in its units. */
@@ -98,19 +119,26 @@ export function arrowLines([x0, y0], [x1, y1], head) {
   return [Float64Array.of(x0, y0, x1, y1), Float64Array.of(x1 - u - v / 2, y1 - v + u / 2, x1, y1, x1 - u + v / 2, y1 - v - u / 2)];
 }
 
+/** No mesh has more nodes. */
+const NODES = 2 ** 26;
+
 /** Every edge of triangles once. @param {Uint32Array} triangles @returns {Uint32Array} pairs of nodes */
 export function meshEdges(triangles) {
-  /** @type {Set<number>} */
-  const seen = new Set();
-  const edges = [];
+  const keys = new Float64Array(triangles.length);
   for (let t = 0; t < triangles.length; t += 3) {
     for (let k = 0; k < 3; k++) {
-      const [a, b] = [triangles[t + k], triangles[t + ((k + 1) % 3)]];
-      const key = Math.min(a, b) * 0x4000000 + Math.max(a, b);
-      if (seen.has(key)) continue;
-      seen.add(key);
-      edges.push(a, b);
+      const a = triangles[t + k];
+      const b = triangles[t + ((k + 1) % 3)];
+      keys[t + k] = a < b ? a * NODES + b : b * NODES + a;
     }
   }
-  return Uint32Array.from(edges);
+  keys.sort();
+  const edges = new Uint32Array(2 * keys.length);
+  let count = 0;
+  keys.forEach((key, k) => {
+    if (key === keys[k - 1]) return;
+    edges[count++] = Math.floor(key / NODES);
+    edges[count++] = key % NODES;
+  });
+  return edges.slice(0, count);
 }

@@ -14,9 +14,12 @@ export function svg(name, attributes = {}, children = []) {
   return element;
 }
 
-/** @param {Element} element @param {Record<string, string | number>} attributes */
+/** Sets what is not so already: each setting costs a style anew. @param {Element} element @param {Record<string, string | number>} attributes */
 export function set(element, attributes) {
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  for (const name in attributes) {
+    const value = String(attributes[name]);
+    if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+  }
 }
 
 /** Path data through points, in pixels. @param {Point[]} points @param {boolean} closed */
@@ -38,8 +41,18 @@ export function match(parent, items, create, update) {
   items.forEach((item, k) => update(/** @type {E} */ (parent.children[k]), item, k));
 }
 
+/** Places that were found out: asking again, after something was drawn, would lay the page out anew. @type {WeakMap<Event, Map<SVGSVGElement, Point>>} */
+const places = new WeakMap();
+
 /** Where a pointer is, in the pixels of an SVG that fills its box. @param {SVGSVGElement} root @param {MouseEvent} event @returns {Point} */
 export function pixelOf(root, event) {
+  const known = places.get(event) ?? new Map();
+  if (!known.size) places.set(event, known);
+  const place = known.get(root);
+  if (place) return place;
   const box = root.getBoundingClientRect();
-  return [event.clientX - box.left, event.clientY - box.top];
+  /** @type {Point} */
+  const found = [event.clientX - box.left, event.clientY - box.top];
+  known.set(root, found);
+  return found;
 }

@@ -14,6 +14,7 @@ import { eccentricities } from "./plot-range.js";
 /**
  * What a panel shows beside its pictures.
  * @typedef {object} Drawn
+ * @property {number} id of the map
  * @property {number} area of one hemisphere, in mm²
  * @property {[number, number]} [landmarkError] how far an outline's map misses its landmark: in mm, in radians
  * @property {import("./layout.js").Half} half
@@ -85,6 +86,9 @@ function mapOf(spec, hemisphere) {
 /** The map of a spec, both hemispheres. @param {Spec} spec */
 export const cortexOf = (spec) => cortices.get(JSON.stringify(spec), () => new Cortex(spec));
 
+/** Counts the maps. */
+let made = 0;
+
 export class Cortex {
   halves;
   /** @type {Drawn} */ drawn;
@@ -96,6 +100,7 @@ export class Cortex {
     const outline = map.boundary;
     const points = unflatten(outline);
     this.drawn = {
+      id: ++made,
       area: map.area,
       landmarkError: map.landmarkError,
       half: { width: Math.max(...points.map(([x]) => Math.abs(x))), height: Math.max(...points.map(([, y]) => Math.abs(y))) },

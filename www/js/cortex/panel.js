@@ -152,7 +152,7 @@ export class CortexPanel {
       return;
     }
     this.view.paint(panel.pixels, size);
-    this.view.show(panel.drawn.outline, lines ? panel.drawn.lines : [], circles ? panel.drawn.circles : []);
+    this.view.show(panel.drawn.id, panel.drawn.outline, lines ? panel.drawn.lines : [], circles ? panel.drawn.circles : []);
     this.#explain(panel.drawn, panel.landmark?.fromFormula);
   }
 

@@ -121,6 +121,8 @@ export class CortexView extends LinedView {
   #canvas;
   #outlines = svg("path", { class: "cortex-outline" });
   #bar = svg("g", { class: "bar" }, [svg("path"), svg("text", { "text-anchor": "middle", y: -6 })]);
+  /** What was drawn last. */
+  #shown = "";
   /** The landmark's place and the end of its arrow, to be dragged. */
   #landmark = svg("g", { class: "landmark" }, [
     svg("path", { class: "arrow" }),
@@ -149,8 +151,12 @@ export class CortexView extends LinedView {
     set(this.#bar, { transform: `translate(${columns / 2} ${rows - 6})` });
   }
 
-  /** @param {Float64Array} outline of the left hemisphere @param {Line[]} lines @param {Line[]} circles */
-  show(outline, lines, circles) {
+  /** @param {number} id of the map @param {Float64Array} outline of the left hemisphere @param {Line[]} lines @param {Line[]} circles */
+  show(id, outline, lines, circles) {
+    // All this is the same wherever one looks.
+    const key = JSON.stringify([id, lines.length, circles.length, this.frame]);
+    if (key === this.#shown) return;
+    this.#shown = key;
     const left = unflatten(outline);
     const right = left.map(([x, y]) => /** @type {Point} */ ([-x, y]));
     set(this.#outlines, { d: [left, right].map((line) => pathData(line.map((p) => toPixels(this.frame, p)), true)).join("") });

@@ -39,11 +39,19 @@ watchErrors();
 let picture;
 /** The last good picture of the disk. @type {Outcome | null} */
 let outcome = null;
+/** The picture that the panels have the shape of. @type {Picture | null} */
+let laidOut = null;
 /** Whether an address is being followed: what could not be read of it is left there. */
 let visiting = false;
 
-const photoView = new PhotoView(element("photo"), element("photo-marks"), () => refresh(false, false));
-const diskView = new DiskView(element("disk"), element("disk-lines"), element("disk-marks"), () => refresh(true, true));
+const photoView = new PhotoView(element("photo"), element("photo-marks"), () => {
+  layOut();
+  refresh(false, false);
+});
+const diskView = new DiskView(element("disk"), element("disk-lines"), element("disk-marks"), () => {
+  layOut();
+  refresh(true, true);
+});
 const script = new URL("./worker.js", import.meta.url);
 /** @type {Scheduler<import("./pipeline.js").Job, import("./pipeline.js").Result>} */
 const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWords });
@@ -97,7 +105,10 @@ async function start() {
     drawing: "outline, triangles, vector and grid, on both sides",
     address,
   });
-  offerAlone(() => refresh(true, false));
+  offerAlone(() => {
+    layOut();
+    refresh(true, false);
+  });
   goAlong(() => drawingFields(store.doc, { image: FIRST_PHOTO, region: photoRegion(FIRST_PHOTO) }));
   window.addEventListener("hashchange", visit);
   new ResizeObserver(onResize).observe(element("panels"));
@@ -151,7 +162,7 @@ async function onChange(change) {
 /** Draws the page, and computes it anew if asked to. @param {boolean} solving @param {boolean} dragging */
 function refresh(solving, dragging) {
   if (solving) probe.hide();
-  layOut();
+  if (laidOut !== picture) layOut();
   draw();
   probe.refresh();
   if (solving) solve(dragging);
@@ -179,6 +190,7 @@ function showOf(all) {
 }
 
 function layOut() {
+  laidOut = picture;
   const [width, height] = picture.frame.pixels;
   element("panels").style.setProperty("--aspect", String(width / height));
   photoView.fit(picture);

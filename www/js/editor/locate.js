@@ -20,17 +20,25 @@ class Index {
     this.cells = Math.max(1, Math.round(Math.sqrt(triangles.length / 6)));
     this.origin = [left, low];
     this.steps = [(right - left) / this.cells || 1, (high - low) / this.cells || 1];
-    /** @type {number[][]} */
-    this.buckets = Array.from({ length: this.cells ** 2 }, () => []);
-    for (let t = 0; t < triangles.length; t += 3) this.#add(t);
+    /** Where each cell's triangles begin in `found`, and end where the next one's begin. */
+    this.begins = new Uint32Array(this.cells ** 2 + 1);
+    this.#eachPlace((cell) => this.begins[cell + 1]++);
+    for (let cell = 0; cell < this.cells ** 2; cell++) this.begins[cell + 1] += this.begins[cell];
+    this.found = new Uint32Array(this.begins[this.cells ** 2]);
+    const next = this.begins.slice();
+    this.#eachPlace((cell, t) => (this.found[next[cell]++] = t));
   }
 
-  /** @param {number} t */
-  #add(t) {
-    const xs = [0, 1, 2].map((k) => this.#cell(0, this.points[2 * this.triangles[t + k]]));
-    const ys = [0, 1, 2].map((k) => this.#cell(1, this.points[2 * this.triangles[t + k] + 1]));
-    for (let i = Math.min(...xs); i <= Math.max(...xs); i++) {
-      for (let j = Math.min(...ys); j <= Math.max(...ys); j++) this.buckets[i + this.cells * j].push(t);
+  /** Every cell that the box of a triangle meets. @param {(cell: number, triangle: number) => void} tell */
+  #eachPlace(tell) {
+    const { triangles, points } = this;
+    for (let t = 0; t < triangles.length; t += 3) {
+      const [a, b, c] = [2 * triangles[t], 2 * triangles[t + 1], 2 * triangles[t + 2]];
+      const [first, last] = [this.#cell(0, Math.min(points[a], points[b], points[c])), this.#cell(0, Math.max(points[a], points[b], points[c]))];
+      const [under, over] = [this.#cell(1, Math.min(points[a + 1], points[b + 1], points[c + 1])), this.#cell(1, Math.max(points[a + 1], points[b + 1], points[c + 1]))];
+      for (let j = under; j <= over; j++) {
+        for (let i = first; i <= last; i++) tell(i + this.cells * j, t);
+      }
     }
   }
 
@@ -41,9 +49,11 @@ class Index {
 
   /** The triangle that holds (x, y), with barycentric weights. @param {Point} point */
   find([x, y]) {
-    for (const t of this.buckets[this.#cell(0, x) + this.cells * this.#cell(1, y)]) {
-      const [a, b, c] = [0, 1, 2].map((k) => 2 * this.triangles[t + k]);
-      const p = this.points;
+    const cell = this.#cell(0, x) + this.cells * this.#cell(1, y);
+    const { points: p, triangles } = this;
+    for (let k = this.begins[cell]; k < this.begins[cell + 1]; k++) {
+      const t = this.found[k];
+      const [a, b, c] = [2 * triangles[t], 2 * triangles[t + 1], 2 * triangles[t + 2]];
       const twice = (p[b] - p[a]) * (p[c + 1] - p[a + 1]) - (p[b + 1] - p[a + 1]) * (p[c] - p[a]);
       const u = ((x - p[a]) * (p[c + 1] - p[a + 1]) - (y - p[a + 1]) * (p[c] - p[a])) / twice;
       const v = ((p[b] - p[a]) * (y - p[a + 1]) - (p[b + 1] - p[a + 1]) * (x - p[a])) / twice;

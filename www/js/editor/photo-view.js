@@ -25,6 +25,7 @@ export class PhotoView {
   /** The whole photo's frame in CSS pixels of the panel. @type {Frame} */
   home = this.frame;
   #photo = "";
+  /** What the region's drawing shows. @type {unknown[]} */ #drawn = [];
   #zoom;
   #layer;
   #body = svg("path", { class: "body", "data-part": "body" });
@@ -81,6 +82,9 @@ export class PhotoView {
 
   /** @param {Store} store */
   #drawRegion({ doc: { region }, selected, mode }) {
+    const state = [region, selected, mode, this.frame];
+    if (state.every((part, k) => part === this.#drawn[k])) return;
+    this.#drawn = state;
     const { boundary, center } = region;
     const pixels = boundary.map((p) => toPixels(this.frame, p));
     const wrong = faults(region);

@@ -1,12 +1,12 @@
 // The formula's page: connects the address, the formula, the two planes and the worker.
 
-import init, { presets as allPresets } from "../../pkg/index.js";
 import { wrongWords } from "../common/address.js";
 import { offerAlone } from "../common/alone.js";
 import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
 import { onGrid } from "../common/frame.js";
 import { addPicture } from "../common/images.js";
+import { Lane } from "../common/lane.js";
 import { attempt, element, remark, statusOfPage, watchErrors, wordsOf } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
 import { HOME, PlaneView } from "../common/plane-view.js";
@@ -15,7 +15,6 @@ import { menuOf } from "../common/menu.js";
 import { probeRow } from "../common/probe-menu.js";
 import { offerToSave } from "../common/save-menu.js";
 import { Scheduler } from "../common/scheduler.js";
-import { compile } from "./compile.js";
 import { showGallery } from "./gallery.js";
 import { showParams } from "./params.js";
 import { lattice, loadSquare } from "./square.js";
@@ -25,6 +24,8 @@ import { decode, encode, fromPreset } from "./state.js";
 /** @typedef {import("./pipeline.js").Job} Job */
 /** @typedef {import("./pipeline.js").Result} Result */
 /** @typedef {import("../common/images.js").Picture} Picture */
+/** @typedef {import("./compile.js").Compiled} Compiled */
+/** @typedef {import("../../pkg/index.js").Preset} Preset */
 
 const FIRST = "droste";
 /** The texture's plane is seen this many pictures wide. */
@@ -33,25 +34,28 @@ const SURROUNDINGS = 2;
 const REST = 160;
 
 watchErrors();
-await init().catch((error) => {
-  statusOfPage.onState("failed", `The page’s WebAssembly module could not be started: ${error.message}. Reload the page to try again.`);
-  throw error;
+const script = new URL("./worker.js", import.meta.url);
+/** Reads formulas, also while the other worker draws. @type {Lane<Job, Result>} */
+const reader = new Lane(script, 0, (reply) => {
+  if ("broken" in reply) statusOfPage.onState("failed", `The page’s workers could not be started: ${reply.broken}. They are tried again, and again when you reload the page.`);
 });
-const presets = allPresets();
-const usual = fromPreset(/** @type {import("../../pkg/index.js").Preset} */ (presets.find(({ name }) => name === FIRST)), "astronaut");
+/** @type {Preset[]} */
+const presets = await certain(() => reader.ask({ what: "presets" }));
+const usual = fromPreset(/** @type {Preset} */ (presets.find(({ name }) => name === FIRST)), "astronaut");
 
 /** What is drawn: its formula can be read. @type {State} */
 let state = usual;
 /** @type {Picture} */
 let picture;
-/** What was found out about the formula that is drawn. @type {import("./compile.js").Compiled} */
+/** What was found out about the formula that is drawn. @type {Compiled} */
 let compiled;
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let resting;
+/** Counts what was typed: words about an older text are late. */
+let typings = 0;
 
 const source = new PlaneView(element("source"), element("source-marks"), null);
 const target = new PlaneView(element("target"), element("target-marks"), (view) => change({ view }));
-const script = new URL("./worker.js", import.meta.url);
 /** @type {Scheduler<Job, Result>} */
 const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWords: ({ message }) => message }, 1);
 const probe = new Probe(source, target, () => ({ carry }), (reading) => {
@@ -68,18 +72,32 @@ showGallery(element("gallery"), presets, (kind) => squareFor(kind === "lattice" 
 async function visit(rest) {
   const { state: next, wrong } = decode(location.hash, presets, rest);
   remark(wrongWords(wrong));
-  const found = compile(next.formula, next.params);
-  const readable = "params" in found;
   showFormula(next.formula);
+  const found = await compiledBy(next.formula, next.params);
+  const readable = "params" in found;
   complain(readable ? "" : found.message, readable ? null : (found.position ?? null));
   if (readable) adopt({ ...next, params: found.params }, found);
   else if (compiled) return;
-  else adopt({ ...usual, image: next.image }, /** @type {import("./compile.js").Compiled} */ (compile(usual.formula, usual.params)));
+  else adopt({ ...usual, image: next.image }, /** @type {Compiled} */ (await compiledBy(usual.formula, usual.params)));
   picture = await squareFor(state.image);
   show(readable && !wrong.length);
 }
 
-/** @param {State} next @param {import("./compile.js").Compiled} found */
+/** What an answer is waited for as long as it takes: a worker that fails is started again. @template T @param {() => Promise<T | null>} ask @returns {Promise<T>} */
+async function certain(ask) {
+  for (;;) {
+    const answer = await ask();
+    if (answer !== null) return answer;
+    await new Promise((resolve) => setTimeout(resolve, REST));
+  }
+}
+
+/** @param {string} text @param {State["params"]} params @returns {Promise<Compiled | import("./compile.js").Mistake>} */
+function compiledBy(text, params) {
+  return certain(() => reader.ask({ what: "compile", text, params }));
+}
+
+/** @param {State} next @param {Compiled} found */
 function adopt(next, found) {
   state = next;
   compiled = found;
@@ -121,7 +139,7 @@ function jobOf({ sharpness }) {
 /** Points as the map takes them: from the plane on which it is evaluated to the other. @param {import("../common/probe.js").Side} side @param {import("../common/frame.js").Point[]} points */
 function carry(side, points) {
   const { formula, params, direction } = state;
-  return side === (direction === "pull-back" ? "target" : "source") ? scheduler.ask({ formula, params, points }) : [];
+  return side === (direction === "pull-back" ? "target" : "source") ? scheduler.ask({ what: "points", formula, params, points }) : [];
 }
 
 /** @param {Result} result @param {boolean} done */
@@ -174,8 +192,10 @@ function updateControls() {
 }
 
 /** @param {string} text */
-function typed(text) {
-  const found = compile(text, state.params);
+async function typed(text) {
+  const typing = ++typings;
+  const found = await compiledBy(text, state.params);
+  if (typing !== typings) return;
   if (!("params" in found)) return complain(found.message, found.position ?? null);
   complain("", null);
   adopt({ ...state, formula: text, params: found.params }, found);

@@ -1,4 +1,4 @@
-// What a visitor types → whether it can be read, and its parameters; found on the page's own thread, while typing.
+// What a visitor types → whether it can be read, and its parameters; found in a worker, while typing.
 
 import { FormulaMap } from "../../pkg/index.js";
 

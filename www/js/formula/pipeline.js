@@ -1,7 +1,8 @@
 // From a formula to two pictures: the texture's own plane, and what the formula makes of it. Slow ones come coarse to fine.
 
-import { FormulaMap, Texture } from "../../pkg/index.js";
+import { FormulaMap, presets, Texture } from "../../pkg/index.js";
 import { flatten, onGrid, scaledTo, unflatten } from "../common/frame.js";
+import { compile } from "./compile.js";
 import { gridLines, unbroken } from "./grid.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
@@ -20,6 +21,7 @@ import { gridLines, unbroken } from "./grid.js";
  */
 /** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
 /** @typedef {{ version: number, source: Frame, target: Frame, sourcePixels: Pixels, targetPixels: Pixels, warpMs: number }} Result */
+/** @typedef {{ what: "presets" } | { what: "compile", text: string, params: Record<string, Point> } | { what: "points" } & Typed & { points: Point[] }} Question */
 /** @typedef {import("../common/serve.js").Talk<Result>} Talk */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
 
@@ -111,8 +113,15 @@ export class FormulaPipeline {
     };
   }
 
+  /** @param {Question} question */
+  answer(question) {
+    if (question.what === "presets") return presets();
+    if (question.what === "compile") return compile(question.text, question.params);
+    return this.#carried(question);
+  }
+
   /** Points carried by a formula. @param {Typed & { points: Point[] }} question @returns {(Point | null)[]} */
-  answer({ formula, params, points }) {
+  #carried({ formula, params, points }) {
     const key = JSON.stringify([formula, params]);
     if (this.#asked?.key !== key) {
       this.#asked?.map.free();

@@ -41,6 +41,8 @@ watchErrors();
 let outcome = null;
 /** The side that was edited last: a file goes there. @type {Side} */
 let active;
+/** The pictures that the panels have the shapes of. @type {import("../common/images.js").Picture[]} */
+let pictures = [];
 /** Whether an address is being followed: what could not be read of it is left there. */
 let visiting = false;
 
@@ -108,13 +110,14 @@ async function onChange(side, change) {
   active = side;
   await side.follow();
   const looking = change === "look" && side === to;
-  refresh(change === "drag" || change === "commit" || looking, change === "drag" || looking);
+  refresh(change === "drag" || change === "commit" || looking, change === "drag" || looking, change === "drag");
   if (change !== "drag" && change !== "look" && !visiting) remember();
 }
 
-/** Draws the page, and computes it anew if asked to. @param {boolean} solving @param {boolean} [dragging] */
-function refresh(solving, dragging = false) {
-  layOut();
+/** Draws the page, and computes it anew if asked to. @param {boolean} solving @param {boolean} [dragging] @param {boolean} [still] whether nothing but a region has changed */
+function refresh(solving, dragging = false, still = false) {
+  // While a hand moves a region the page stays as it is.
+  if (!still || pictures.some((picture, k) => picture !== [from, to][k].picture)) layOut();
   draw();
   probe.refresh();
   if (solving) solve(dragging);
@@ -142,6 +145,7 @@ function solve(dragging) {
 }
 
 function layOut() {
+  pictures = [from.picture, to.picture];
   for (const [side, name] of /** @type {[Side, string][]} */ ([[from, "--aspect"], [to, "--other-aspect"]])) {
     const [width, height] = side.picture.frame.pixels;
     element("panels").style.setProperty(name, String(width / height));
