@@ -75,6 +75,7 @@ test("a formula that cannot be read is said so, at its place, and the picture st
   const { page, errors, close } = await openFormula("#f=z%5E2");
   const before = await picture(page, "target");
   await page.locator("#formula").fill("z^2 + ) 3");
+  await page.waitForFunction(() => document.getElementById("mistake")?.textContent !== "");
   assert.match(await page.locator("#mistake").innerText(), /position 6: expected .* found/);
   assert.equal(await page.locator("#caret").textContent(), `${" ".repeat(6)}▲`);
   await screenshot(page, "formula-mistake");
@@ -114,7 +115,9 @@ test("the view is dragged and zoomed, and goes home", async () => {
   const at = await middle(page.locator("#target"));
   await page.mouse.move(at.x + 60, at.y + 20);
   const address = page.url();
+  await page.keyboard.down("Control");
   await page.mouse.wheel(0, -400);
+  await page.keyboard.up("Control");
   await page.waitForURL((url) => url.href !== address);
   await settled(page, "ready");
   const zoomed = await picture(page, "target");

@@ -39,14 +39,19 @@ export function deviceGrid([width, height], sharpness, least = 32) {
 
 /** Shows pixels on a canvas, which becomes as large as they are. @param {HTMLCanvasElement} canvas @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {Point} size */
 export function paint(canvas, pixels, [width, height]) {
-  paintBeside(canvas, [pixels], [width, height]);
+  paintBeside(canvas, [pixels], [[width, height]]);
 }
 
-/** Shows pictures of one size side by side. @param {HTMLCanvasElement} canvas @param {Uint8ClampedArray<ArrayBuffer>[]} pictures @param {Point} size of each */
-export function paintBeside(canvas, pictures, [width, height]) {
-  Object.assign(canvas, { width: pictures.length * width, height });
+/** Shows pictures of one height side by side; one may have no width. @param {HTMLCanvasElement} canvas @param {Uint8ClampedArray<ArrayBuffer>[]} pictures @param {Point[]} sizes */
+export function paintBeside(canvas, pictures, sizes) {
+  Object.assign(canvas, { width: sizes.reduce((sum, [width]) => sum + width, 0), height: sizes[0][1] });
   const context = contextOf(canvas);
-  pictures.forEach((pixels, k) => context.putImageData(new ImageData(pixels, width, height), k * width, 0));
+  let left = 0;
+  pictures.forEach((pixels, k) => {
+    const [width, height] = sizes[k];
+    if (width) context.putImageData(new ImageData(pixels, width, height), left, 0);
+    left += width;
+  });
 }
 
 /** A canvas with pixels on it. @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {Point} size */

@@ -10,9 +10,6 @@ import { pixelOf, set, svg } from "./svg.js";
 /** @typedef {import("./frame.js").Point} Point */
 /** @typedef {import("./placement.js").Placement} Placement */
 
-/** The width of the view that 0 goes to. */
-export const HOME = 4;
-
 export class PlaneView {
   root;
   /** In CSS pixels of the panel. @type {Frame} */
@@ -26,13 +23,13 @@ export class PlaneView {
 
   /**
    * @param {HTMLCanvasElement} canvas @param {SVGSVGElement} root
-   * @param {((place: Placement) => void) | null} onMove called when it is dragged or zoomed, unless it stays where it is
+   * @param {(place: Placement) => void} onMove called when it is dragged or zoomed @param {() => Placement} home where 0 leads
    */
-  constructor(canvas, root, onMove) {
+  constructor(canvas, root, onMove, home) {
     this.root = root;
     this.#canvas = canvas;
     root.append(this.#outside, this.#axes, this.#ticks);
-    if (onMove) this.#follow(onMove);
+    this.#follow(onMove, home);
   }
 
   /** Looks at a part of the plane. @param {Placement} place */
@@ -78,10 +75,12 @@ export class PlaneView {
     );
   }
 
-  /** @param {(place: Placement) => void} onMove */
-  #follow(onMove) {
+  /** @param {(place: Placement) => void} onMove @param {() => Placement} home */
+  #follow(onMove, home) {
     const { root } = this;
     root.addEventListener("wheel", (event) => {
+      // Without Ctrl the wheel scrolls the page, unless the plane was taken hold of first.
+      if (!event.ctrlKey && !event.metaKey && document.activeElement !== root) return;
       event.preventDefault();
       onMove(zoomed(this.frame, pixelOf(root, event), wheelRatio(event)));
     }, { passive: false });
@@ -109,7 +108,7 @@ export class PlaneView {
       });
     }
     root.addEventListener("keydown", (event) => {
-      const place = steered(this.frame, event, { center: [0, 0], width: HOME });
+      const place = steered(this.frame, event, home());
       if (!place) return;
       event.preventDefault();
       onMove(place);

@@ -54,7 +54,7 @@ let visiting = false;
 /** Counts the places that were asked about: an answer to an older one is late. */
 let places = 0;
 
-const seen = new SeenView(element("seen"), element("seen-marks"));
+const seen = new SeenView(element("seen"), element("seen-marks"), () => refresh(true));
 const script = new URL("./worker.js", import.meta.url);
 /** @type {Scheduler<Job, Result>} */
 const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWords: ({ message }) => message }, 1);
@@ -90,6 +90,7 @@ function wishesOf(k) {
     placed: (kept) => (kept ? store.drop() : store.giveUp()),
     draw: useOutline,
     read: askForOutline,
+    look: () => refresh(true),
     point: (event) => read(event, k),
   };
 }
@@ -138,7 +139,7 @@ function jobOf({ sharpness }) {
   const live = camera?.frame() ?? null;
   const [columns] = panels[0].view.grid(live ? 1 : sharpness);
   const recover = dots && !live ? { dots, view: seen.view(sharpness) } : null;
-  return { models: chosen, shear, own, landmarks, fieldOfView, fixation, columns, recover, live };
+  return { models: chosen, shear, own, landmarks, fieldOfView, fixation, columns, places: panels.map(({ view }) => view.place), recover, live };
 }
 
 /** @param {Result} newest @param {boolean} done */
@@ -146,7 +147,7 @@ function onResult(newest, done) {
   result = newest;
   const state = store.value;
   layOut();
-  newest.panels.forEach((panel, k) => panels[k].show(panel, newest.size, newest.half, state));
+  newest.panels.forEach((panel, k) => panels[k].show(panel, newest.sizes[k], newest.half, state));
   if (camera) seen.drawPhoto(camera.picture);
   else if (newest.recovered && state.dots) seen.paint(newest.recovered.pixels, newest.recovered.size);
   seen.overlay(state.fixation, state.lines ? newest.seen.lines : [], state.circles ? newest.seen.circles : []);
@@ -252,10 +253,16 @@ function connectGaze() {
   /** @type {number | null} */
   let held = null;
   root.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0 || held !== null) return;
+    if (event.button !== 0 || held !== null || (event.shiftKey && seen.place)) return;
     held = event.pointerId;
     root.setPointerCapture(event.pointerId);
     fixate(pixelOf(root, event));
+  });
+  // Two fingers look closer, and leave the gaze where it was.
+  root.addEventListener("touchstart", ({ touches }) => {
+    if (touches.length < 2 || held === null) return;
+    held = null;
+    store.giveUp();
   });
   root.addEventListener("pointermove", (event) => {
     if (event.pointerId === held) fixate(pixelOf(root, event));

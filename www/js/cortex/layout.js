@@ -16,10 +16,12 @@ export const aspectOf = ({ width, height }) => (2 * width * MARGIN) / (2 * heigh
 /** A panel's frame. @param {Half} half @param {Point} pixels @returns {Frame} */
 export const panelFrame = ({ width }, pixels) => ({ center: [0, 0], width: 2 * width * MARGIN, pixels });
 
-/** The frames of the right and the left hemisphere, on a panel so many pixels wide. @param {Half} half @param {number} columns @returns {Frame[]} */
-export function hemisphereFrames(half, columns) {
-  const quarter = panelFrame(half, [1, 1]).width / 4;
-  /** @type {Point} */
-  const pixels = [Math.round(columns / 2), Math.max(16, Math.round(columns / aspectOf(half)))];
-  return [-quarter, quarter].map((x) => ({ center: [x, 0], width: 2 * quarter, pixels }));
+/** The frames of the right and the left hemisphere, on a panel so many pixels wide that looks at a part of both; one may be out of sight. @param {Half} half @param {number} columns @param {import("../common/placement.js").Placement | null} [place] @returns {Frame[]} */
+export function hemisphereFrames(half, columns, place) {
+  const { center, width } = place ?? panelFrame(half, [1, 1]);
+  const rows = Math.max(16, Math.round(columns / aspectOf(half)));
+  const size = width / columns;
+  const left = center[0] - width / 2;
+  const middle = Math.min(columns, Math.max(0, Math.round(-left / size)));
+  return [[0, middle], [middle, columns]].map(([from, to]) => ({ center: [left + ((from + to) / 2) * size, center[1]], width: (to - from) * size, pixels: [to - from, rows] }));
 }

@@ -20,6 +20,7 @@ import { CortexView } from "./views.js";
  * @property {(kept: boolean) => void} placed the drag has ended, or was given up
  * @property {(outline: Point[]) => void} draw
  * @property {() => void} read an outline from text
+ * @property {() => void} look another part is looked at
  * @property {(event: PointerEvent | null) => void} point
  */
 
@@ -43,7 +44,7 @@ export class CortexPanel {
   constructor(figure, label, wishes) {
     this.#figure = figure;
     this.#wishes = wishes;
-    this.view = new CortexView(this.#part("canvas"), this.#part("svg"));
+    this.view = new CortexView(this.#part("canvas"), this.#part("svg"), wishes.look);
     const choice = /** @type {HTMLSelectElement} */ (this.#part("select"));
     choice.setAttribute("aria-label", label);
     const groups = Object.groupBy([...models], ([, { group }]) => group);
@@ -141,8 +142,8 @@ export class CortexPanel {
     this.view.mark(landmark);
   }
 
-  /** What was found out about this panel's map; one that refuses keeps its picture. @param {Panel} panel @param {Point} size of a hemisphere's picture @param {import("./layout.js").Half} half @param {State} state */
-  show(panel, size, half, { lines, circles }) {
+  /** What was found out about this panel's map; one that refuses keeps its picture. @param {Panel} panel @param {Point[]} sizes of the hemispheres' pictures @param {import("./layout.js").Half} half @param {State} state */
+  show(panel, sizes, half, { lines, circles }) {
     const refused = "refusal" in panel;
     this.#figure.classList.toggle("refused", refused);
     this.view.fit(half);
@@ -151,7 +152,7 @@ export class CortexPanel {
       this.#part(".note").textContent = panel.refusal;
       return;
     }
-    this.view.paint(panel.pixels, size);
+    this.view.paint(panel.pixels, sizes);
     this.view.show(panel.drawn.id, panel.drawn.outline, lines ? panel.drawn.lines : [], circles ? panel.drawn.circles : []);
     this.#explain(panel.drawn, panel.landmark?.fromFormula);
   }

@@ -31,6 +31,7 @@ import { specOf } from "./specs.js";
  * @property {number} fieldOfView in degrees, across the picture
  * @property {Point} fixation in the picture's plane
  * @property {number} columns pixels of a panel
+ * @property {(import("../common/placement.js").Placement | null)[]} places what each panel looks at; null for all
  * @property {boolean} fine
  * @property {{ dots: number, view: Frame } | null} recover the first panel's cortex keeps so many dots a millimetre
  * @property {Uint8ClampedArray | null} live the newest frame of a camera
@@ -41,7 +42,7 @@ import { specOf } from "./specs.js";
  * @property {number} version
  * @property {boolean} fine
  * @property {import("./layout.js").Half} half
- * @property {Point} size pixels of a hemisphere's picture
+ * @property {Point[][]} sizes pixels of the hemispheres’ pictures, by panel
  * @property {Panel[]} panels
  * @property {{ lines: Line[], circles: Line[] }} seen lines over the picture
  * @property {{ pixels: Pixels, size: Point } | null} recovered
@@ -64,7 +65,7 @@ export class CortexPipeline {
   #foveated = null;
   /** What the panels look at, by the last job. @type {({ cortex: Cortex, images: CorticalImage[] } | null)[]} */
   #eyes = [];
-  /** Warps of a camera's frames, found out once. @type {{ key: string, warps: PreparedWarp[][] } | null} */
+  /** Warps of a camera's frames, found out once. @type {{ key: string, warps: (PreparedWarp | null)[][] } | null} */
   #prepared = null;
 
   /** @param {Uint8ClampedArray} pixels @param {Frame} frame @param {Blob} [file] */
@@ -87,15 +88,16 @@ export class CortexPipeline {
     const begin = performance.now();
     const looked = this.#look(job, gaze);
     const half = largest(looked.flatMap((panel) => ("drawn" in panel ? [panel.drawn.half] : [])));
-    const views = hemisphereFrames(half, job.columns);
+    const views = job.places.map((place) => hemisphereFrames(half, job.columns, place));
     const warps = job.live ? this.#followed(job, views) : null;
     if (job.live) texture.replace(job.live);
     const panels = looked.map((panel, k) => {
       const eye = this.#eyes[k];
       if (!eye || !("drawn" in panel)) return panel;
       const pixels = eye.images.map((image, side) => {
-        if (warps) return /** @type {Pixels} */ (warps[k][side].warp(texture));
-        const options = { texture: frame, view: views[side], quality: /** @type {Quality} */ (fine ? "best" : "trilinear") };
+        if (!views[k][side].pixels[0]) return new Uint8ClampedArray();
+        if (warps) return /** @type {Pixels} */ (warps[k][side]?.warp(texture));
+        const options = { texture: frame, view: views[k][side], quality: /** @type {Quality} */ (fine ? "best" : "trilinear") };
         return /** @type {Pixels} */ (stack ? image.warpFoveated(stack, options) : image.warp(texture, options));
       });
       return { ...panel, pixels };
@@ -103,7 +105,7 @@ export class CortexPipeline {
     const recovered = recover && this.#recover(texture, frame, recover);
     const warpMs = performance.now() - begin;
     /** @type {Result} */
-    const result = { version, fine, half, size: views[0].pixels, panels, seen: linesOver(gaze), recovered, levels: stack?.levels ?? 0, warpMs };
+    const result = { version, fine, half, sizes: views.map((both) => both.map(({ pixels }) => pixels)), panels, seen: linesOver(gaze), recovered, levels: stack?.levels ?? 0, warpMs };
     const pictures = panels.flatMap((panel) => ("pixels" in panel ? panel.pixels : []));
     return { result, transfer: [...pictures, ...(recovered ? [recovered.pixels] : [])].map(({ buffer }) => buffer) };
   }
@@ -128,14 +130,14 @@ export class CortexPipeline {
     });
   }
 
-  /** The warps of a camera's frames; they hold as long as nothing but the frame changes. @param {Job} job @param {Frame[]} views */
+  /** The warps of a camera's frames; they hold as long as nothing but the frame changes. @param {Job} job @param {Frame[][]} views by panel */
   #followed({ models, shear, own, landmarks, fieldOfView, fixation }, views) {
     const key = JSON.stringify([models, shear, own, landmarks, fieldOfView, fixation, views]);
     if (this.#prepared?.key === key) return this.#prepared.warps;
-    for (const warp of this.#prepared?.warps.flat() ?? []) warp.free();
+    for (const warp of this.#prepared?.warps.flat() ?? []) warp?.free();
     this.#prepared = null;
     const { texture, frame } = /** @type {{ texture: Texture, frame: Frame }} */ (this.#picture);
-    const warps = this.#eyes.map((eye) => (eye?.images ?? []).map((image, side) => image.prepareWarp(texture, { texture: frame, view: views[side] })));
+    const warps = this.#eyes.map((eye, k) => (eye?.images ?? []).map((image, side) => (views[k][side].pixels[0] ? image.prepareWarp(texture, { texture: frame, view: views[k][side] }) : null)));
     this.#prepared = { key, warps };
     return warps;
   }
@@ -150,16 +152,16 @@ export class CortexPipeline {
     const stack = await this.#around(job.fixation, job.columns / 4);
     if (!stack) throw new Error("There is no picture yet.");
     const { drawn } = panel;
-    const views = hemisphereFrames(drawn.half, job.columns);
-    const [columns, rows] = views[0].pixels;
-    const view = { ...panelFrame(drawn.half, [2 * columns, rows]) };
+    const [place] = job.places;
+    const views = hemisphereFrames(drawn.half, job.columns, place);
+    const view = { ...(place ?? panelFrame(drawn.half, [1, 1])), pixels: /** @type {Point} */ ([job.columns, views[0].pixels[1]]) };
     const mirrored = drawn.outline.map((value, k) => (k % 2 ? value : -value));
     /** @param {Line[]} lines */
     const carried = (lines) => lines.map(({ at }) => at);
     return {
       frame: view,
       band: 128,
-      draw: (band) => beside(eye.images.map((image, k) => image.warpFoveated(stack, { texture: frame, view: views[k], quality: "best", rows: band })), columns),
+      draw: (band) => beside(eye.images.map((image, k) => (views[k].pixels[0] ? image.warpFoveated(stack, { texture: frame, view: views[k], quality: "best", rows: band }) : new Uint8ClampedArray())), band[1] - band[0]),
       panels: [{
         name: "cortex",
         frame: view,
@@ -214,12 +216,13 @@ export class CortexPipeline {
   }
 }
 
-/** Two pictures of a width as one. @param {Uint8ClampedArray[]} pictures @param {number} columns of each */
-function beside([left, right], columns) {
-  const both = new Uint8ClampedArray(2 * left.length);
-  for (let from = 0, row = 4 * columns; from < left.length; from += row) {
-    both.set(left.subarray(from, from + row), 2 * from);
-    both.set(right.subarray(from, from + row), 2 * from + row);
+/** Two pictures of a height as one. @param {Uint8ClampedArray[]} pictures @param {number} rows */
+function beside([left, right], rows) {
+  const both = new Uint8ClampedArray(left.length + right.length);
+  const [first, second] = [left.length / rows, right.length / rows];
+  for (let row = 0; row < rows; row++) {
+    both.set(left.subarray(row * first, (row + 1) * first), row * (first + second));
+    both.set(right.subarray(row * second, (row + 1) * second), row * (first + second) + first);
   }
   return both;
 }

@@ -3,6 +3,8 @@
 import { contextOf, deviceGrid, paint, paintBeside } from "../common/canvas.js";
 import { onGrid, scaleOf, toPixels, unflatten } from "../common/frame.js";
 import { match, pathData, set, svg } from "../common/svg.js";
+import { Zoom } from "../common/zoom.js";
+import { drawWithin } from "../editor/photo-view.js";
 import { panelFrame } from "./layout.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
@@ -22,16 +24,20 @@ const ARROW = 34;
 /** An SVG with the lines of the visual field, and what is marked on them. */
 class LinedView {
   root;
-  /** In CSS pixels of the panel. @type {Frame} */
+  /** What is seen, in CSS pixels of the panel. @type {Frame} */
   frame = { center: [0, 0], width: 2, pixels: [1, 1] };
+  /** All that can be seen. @type {Frame} */
+  home = this.frame;
+  /** @protected */ zoom;
   #circles = svg("path", { class: "field-circles" });
   #halo = svg("path", { class: "field-halo" });
   #lines = svg("path", { class: "field-lines" });
   #names = svg("g", { class: "field-names" });
 
-  /** @param {SVGSVGElement} root */
-  constructor(root) {
+  /** @param {SVGSVGElement} root @param {() => void} onLook called when another part is looked at @param {(event: PointerEvent) => boolean} isEmpty whether a press takes hold of nothing */
+  constructor(root, onLook, isEmpty) {
     this.root = root;
+    this.zoom = new Zoom(root, () => this, onLook, isEmpty);
     root.append(this.#circles, this.#halo, this.#lines, this.#names);
   }
 
@@ -51,7 +57,13 @@ class LinedView {
   /** @protected @param {Frame} frame */
   fitTo(frame) {
     const { width, height } = this.root.getBoundingClientRect();
-    this.frame = onGrid(frame, [Math.max(1, width), Math.max(1, height)]);
+    this.home = onGrid(frame, [Math.max(1, width), Math.max(1, height)]);
+    this.frame = this.zoom.within(this.home);
+  }
+
+  /** What is looked at; null for all. */
+  get place() {
+    return this.zoom.place;
   }
 
   /** The panel's own pixels on the screen, or fewer. @param {number} sharpness @returns {Point} */
@@ -64,15 +76,21 @@ export class SeenView extends LinedView {
   #canvas;
   #fixation = svg("g", { class: "fixation" }, [svg("circle", { r: 11 }), svg("circle", { r: 2.5 }), svg("path", { d: "M-18 0h9M9 0h9M0 -18v9M0 9v9" })]);
 
-  /** @param {HTMLCanvasElement} canvas @param {SVGSVGElement} root */
-  constructor(canvas, root) {
-    super(root);
+  /** The picture that is looked at. */
+  #picture = "";
+
+  /** @param {HTMLCanvasElement} canvas @param {SVGSVGElement} root @param {() => void} onLook */
+  constructor(canvas, root, onLook) {
+    // Elsewhere a press moves the gaze.
+    super(root, onLook, ({ shiftKey }) => shiftKey);
     this.#canvas = canvas;
     root.append(this.#fixation);
   }
 
   /** @param {Picture} picture @param {Point} fixation @param {boolean} bare whether the photo itself is to be drawn */
   show(picture, fixation, bare) {
+    if (picture.id !== this.#picture) this.zoom.reset();
+    this.#picture = picture.id;
     this.fitTo(picture.frame);
     if (bare) this.drawPhoto(picture);
     const [x, y] = toPixels(this.frame, fixation);
@@ -98,12 +116,13 @@ export class SeenView extends LinedView {
   }
 
   /** @param {Picture} picture */
-  drawPhoto({ canvas }) {
+  drawPhoto({ canvas, frame: whole }) {
     const [width, height] = this.grid(1);
+    const frame = onGrid(this.frame, [width, height]);
     Object.assign(this.#canvas, { width, height });
     const context = contextOf(this.#canvas);
     context.imageSmoothingQuality = "high";
-    context.drawImage(canvas, 0, 0, width, height);
+    drawWithin({ context, frame }, canvas, whole);
   }
 
   /** The frame for a picture that fills the panel. @param {number} sharpness @returns {Frame} */
@@ -131,9 +150,9 @@ export class CortexView extends LinedView {
     svg("text", { class: "landmark-name" }),
   ]);
 
-  /** @param {HTMLCanvasElement} canvas @param {SVGSVGElement} root */
-  constructor(canvas, root) {
-    super(root);
+  /** @param {HTMLCanvasElement} canvas @param {SVGSVGElement} root @param {() => void} onLook */
+  constructor(canvas, root, onLook) {
+    super(root, onLook, ({ target }) => !root.classList.contains("drawing") && !(target instanceof Element && target.closest("[data-part]")));
     this.#canvas = canvas;
     root.prepend(this.#outlines);
     root.append(this.#bar, this.#landmark);
@@ -192,9 +211,9 @@ export class CortexView extends LinedView {
     set(name, { x: x - 10, y: y + 22 });
   }
 
-  /** @param {Uint8ClampedArray<ArrayBuffer>[]} pixels of the two hemispheres @param {Point} size of each */
-  paint(pixels, size) {
-    paintBeside(this.#canvas, pixels, size);
+  /** @param {Uint8ClampedArray<ArrayBuffer>[]} pixels of the two hemispheres @param {Point[]} sizes */
+  paint(pixels, sizes) {
+    paintBeside(this.#canvas, pixels, sizes);
   }
 
   get canvas() {

@@ -32,6 +32,8 @@ export class PhotoView {
   #halo = svg("path", { class: "halo" });
   #outline = svg("path", { class: "outline" });
   #edges = svg("g", { class: "edges" });
+  /** What a finger takes hold of to add a point. */
+  #middles = svg("g", { class: "middles" });
   #vertices = svg("g", { class: "vertices" });
   #vector = markVector(true);
 
@@ -40,7 +42,7 @@ export class PhotoView {
     this.root = root;
     this.#zoom = new Zoom(root, () => this, onZoom, (event) => !root.classList.contains("drawing") && !(event.target instanceof Element && event.target.closest("[data-part]")));
     this.#layer = new Layer(canvas);
-    root.append(this.#body, this.#halo, this.#outline, this.#edges, this.#vertices, this.#vector);
+    root.append(this.#body, this.#halo, this.#outline, this.#edges, this.#middles, this.#vertices, this.#vector);
   }
 
   /** @param {Picture} picture */
@@ -95,6 +97,10 @@ export class PhotoView {
     match(this.#edges, pixels, (edge) => svg("path", { "data-part": "edge", "data-index": edge }), (element, from, k) => {
       set(element, { d: pathData([from, pixels[(k + 1) % pixels.length]], false), class: wrong.edges.has(k) ? "edge wrong" : "edge" });
     });
+    match(this.#middles, pixels, newMiddle, (element, [x, y], k) => {
+      const [u, v] = pixels[(k + 1) % pixels.length];
+      set(element, { transform: `translate(${(x + u) / 2} ${(y + v) / 2})`, visibility: Math.hypot(u - x, v - y) > LONG_EDGE ? "visible" : "hidden" });
+    });
     match(this.#vertices, pixels, newVertex, (element, [x, y], k) => {
       const label = `Point ${k + 1} of ${pixels.length}`;
       const current = k === (selected ?? 0);
@@ -115,6 +121,14 @@ export function drawWithin({ context, frame }, picture, { center, width, pixels 
   const height = (width * pixels[1]) / pixels[0];
   const [left, top] = toPixels(frame, [center[0] - width / 2, center[1] + height / 2]);
   context.drawImage(picture, left, top, width * scaleOf(frame), height * scaleOf(frame));
+}
+
+/** Shorter edges show no handle in their middle, in pixels. */
+const LONG_EDGE = 52;
+
+/** @param {number} edge */
+function newMiddle(edge) {
+  return svg("g", { class: "middle", "data-part": "edge", "data-index": edge, "aria-hidden": "true" }, [svg("circle", { class: "reach" }), svg("path", { d: "M-3.5 0h7M0 -3.5v7" })]);
 }
 
 /** @param {number} index */

@@ -9,7 +9,7 @@ import { addPicture } from "../common/images.js";
 import { Lane } from "../common/lane.js";
 import { attempt, element, remark, statusOfPage, watchErrors, wordsOf } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
-import { HOME, PlaneView } from "../common/plane-view.js";
+import { PlaneView } from "../common/plane-view.js";
 import { Probe, readingWords } from "../common/probe.js";
 import { menuOf } from "../common/menu.js";
 import { probeRow } from "../common/probe-menu.js";
@@ -30,6 +30,8 @@ import { decode, encode, fromPreset } from "./state.js";
 const FIRST = "droste";
 /** The texture's plane is seen this many pictures wide. */
 const SURROUNDINGS = 2;
+/** The view that 0 goes to. @type {import("../common/placement.js").Placement} */
+const HOME = { center: [0, 0], width: 4 };
 /** The address follows when nothing has changed for this long, in milliseconds. */
 const REST = 160;
 
@@ -54,8 +56,8 @@ let resting;
 /** Counts what was typed: words about an older text are late. */
 let typings = 0;
 
-const source = new PlaneView(element("source"), element("source-marks"), null);
-const target = new PlaneView(element("target"), element("target-marks"), (view) => change({ view }));
+const source = new PlaneView(element("source"), element("source-marks"), (around) => change({ around }), () => surroundings());
+const target = new PlaneView(element("target"), element("target-marks"), (view) => change({ view }), () => HOME);
 /** @type {Scheduler<Job, Result>} */
 const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWords: ({ message }) => message }, 1);
 const probe = new Probe(source, target, () => ({ carry }), (reading) => {
@@ -120,13 +122,18 @@ function change(changes) {
 /** @param {boolean} remembering whether the address is to follow */
 function show(remembering) {
   probe.hide();
-  source.look({ center: state.texture.center, width: SURROUNDINGS * state.texture.width });
+  source.look(state.around ?? surroundings());
   source.outline(state.texture);
   target.look(state.view);
   updateControls();
   scheduler.run(jobOf, picture, true);
   clearTimeout(resting);
   if (remembering) resting = setTimeout(() => history.replaceState(null, "", `#${encode(state)}`), REST);
+}
+
+/** The picture's plane as it is seen first. @returns {import("../common/placement.js").Placement} */
+function surroundings() {
+  return { center: state.texture.center, width: SURROUNDINGS * state.texture.width };
 }
 
 /** @param {import("../common/scheduler.js").Care} care @returns {Omit<Job, "version" | "fine">} */
@@ -163,7 +170,7 @@ function connectControls() {
     const select = /** @type {HTMLSelectElement} */ (element(name));
     select.onchange = () => change({ [name]: select.value });
   }
-  element("home").onclick = () => change({ view: { center: [0, 0], width: HOME } });
+  element("home").onclick = () => change({ view: HOME, around: null });
   offerToSave({
     name: "formula",
     script,
@@ -194,9 +201,13 @@ function updateControls() {
 /** @param {string} text */
 async function typed(text) {
   const typing = ++typings;
+  if (scheduler.state === "ready") statusOfPage.onState("working");
   const found = await compiledBy(text, state.params);
   if (typing !== typings) return;
-  if (!("params" in found)) return complain(found.message, found.position ?? null);
+  if (!("params" in found)) {
+    complain(found.message, found.position ?? null);
+    return statusOfPage.onState(scheduler.state);
+  }
   complain("", null);
   adopt({ ...state, formula: text, params: found.params }, found);
   show(true);

@@ -19,6 +19,7 @@ import { knowsPicture } from "../common/images.js";
  * @property {Lines} lines
  * @property {Placement} texture
  * @property {Placement} view
+ * @property {Placement | null} around what is seen of the picture’s own plane, once somebody has moved it
  */
 
 /** The picture that presets ask for by kind. @type {Record<Preset["picture"], string>} */
@@ -29,7 +30,7 @@ const LONGEST = 4000;
 /** @param {Preset} preset @param {string} image the photo that is shown now @returns {State} */
 export function fromPreset({ formula, params, direction, wrap, texture, view, picture }, image) {
   const fitting = picture === "lattice" || image === "lattice" ? IMAGES[picture] : image;
-  return { formula, params, direction, image: fitting, wrap, lines: "none", texture, view };
+  return { formula, params, direction, image: fitting, wrap, lines: "none", texture, view, around: null };
 }
 
 /** @param {number} x */
@@ -40,8 +41,9 @@ const write = ({ center, width }) => [...center, width].map(short).join(",");
 
 /** @param {State} state @returns {string} the hash, without # */
 export function encode(state) {
-  const { formula, params, direction, image, wrap, lines, texture, view } = state;
+  const { formula, params, direction, image, wrap, lines, texture, view, around } = state;
   const fields = new URLSearchParams({ f: formula, way: direction, image, wrap, lines, texture: write(texture), view: write(view) });
+  if (around) fields.set("around", write(around));
   for (const [name, value] of Object.entries(params)) fields.set(`p.${name}`, value.map(short).join(","));
   return fields.toString();
 }
@@ -73,13 +75,14 @@ export function decode(hash, presets, usual) {
     lines: oneOf(/** @type {const} */ (["none", "cartesian", "polar", "stretch", "argument"])),
     texture: placement,
     view: placement,
+    around: placement,
   };
   const { values, others, wrong } = readAddress(hash, schema, (name) => (/^p\.[a-z]$/i.test(name) ? point : undefined));
   const preset = presets.find(({ name }) => name === values.preset);
   const base = preset ? fromPreset(preset, usual.image) : usual;
   const told = [...others].map(([name, value]) => [name.slice(2), value]);
   const { f = base.formula, way = base.direction, image = base.image, wrap = base.wrap, lines = base.lines } = values;
-  const { texture = base.texture, view = base.view } = values;
-  const state = { formula: f, params: { ...base.params, ...Object.fromEntries(told) }, direction: way, image, wrap, lines, texture, view };
+  const { texture = base.texture, view = base.view, around = base.around } = values;
+  const state = { formula: f, params: { ...base.params, ...Object.fromEntries(told) }, direction: way, image, wrap, lines, texture, view, around };
   return { state, wrong };
 }
