@@ -7,8 +7,16 @@
 //! [`overlay`] (the method `overlay`).
 
 #[cfg(feature = "regions")]
+pub mod annulus;
+#[cfg(feature = "regions")]
 pub mod cortex;
+#[cfg(feature = "regions")]
+pub mod electrostatics;
 pub mod error;
+#[cfg(feature = "regions")]
+pub mod exterior;
+#[cfg(feature = "regions")]
+pub mod flow;
 pub mod formula;
 pub mod foveated;
 pub mod memory;
@@ -26,6 +34,10 @@ pub mod region;
 pub mod region_map;
 #[cfg(feature = "regions")]
 pub mod riemann;
+#[cfg(feature = "regions")]
+pub mod slits;
+#[cfg(feature = "regions")]
+mod solved;
 pub mod texture;
 pub mod warp;
 

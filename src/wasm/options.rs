@@ -2,7 +2,7 @@
 
 use super::error::Failure;
 use crate::plane::{Complex64, Frame};
-use js_sys::{Float64Array, Object};
+use js_sys::{Array, Float64Array, Object};
 use serde::de::value::Error as Introspected;
 use serde::de::{DeserializeOwned, Deserializer, Error as _, Visitor};
 use serde::{Deserialize, Serialize};
@@ -214,6 +214,21 @@ pub fn numbers<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error>
     let value: JsValue = serde_wasm_bindgen::preserve::deserialize(from)?;
     let array = value.dyn_into::<Float64Array>().map_err(|_| D::Error::custom("expected a Float64Array"))?;
     Ok(array.to_vec())
+}
+
+/// For `#[serde(deserialize_with)]`: an array of `Float64Array`s, copied.
+///
+/// # Errors
+/// The deserialiser's, for anything else.
+pub fn number_arrays<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Vec<f64>>, D::Error> {
+    let value: JsValue = serde_wasm_bindgen::preserve::deserialize(from)?;
+    let expected = || D::Error::custom("expected an array of Float64Arrays");
+    if value.is_undefined() {
+        return Ok(Vec::new());
+    }
+    let items = value.dyn_into::<Array>().map_err(|_| expected())?;
+    let numbers = |item: JsValue| item.dyn_into::<Float64Array>().map(|array| array.to_vec()).map_err(|_| expected());
+    items.iter().map(numbers).collect()
 }
 
 /// For `#[serde(default, deserialize_with)]`: an object of a JavaScript class, passed through; none for undefined.

@@ -28,6 +28,14 @@ pub fn triples_from_flat(what: &'static str, flat: &[u32]) -> Result<Vec<[u32; 3
     }
 }
 
+/// What `map` makes of consecutive pairs.
+///
+/// # Errors
+/// [`Error::WrongLength`] for an odd count.
+pub fn mapped(flat: &[f64], map: impl FnOnce(&[Complex64]) -> Vec<Complex64>) -> Result<Vec<f64>> {
+    Ok(to_flat(&map(&from_flat("The points", flat)?)))
+}
+
 /// Complex numbers → consecutive pairs.
 #[must_use]
 pub fn to_flat(points: &[Complex64]) -> Vec<f64> {

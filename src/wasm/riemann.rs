@@ -36,6 +36,21 @@ pub struct RiemannOptions {
     pub on_progress: Option<Function>,
 }
 
+/// The options of a solve, and whom it tells how far it is.
+///
+/// # Errors
+/// "invalid-option".
+pub fn solve_options(given: Option<&Ts<RiemannOptions>>) -> Result<(SolveOptions, Progress), Failure> {
+    let given = options::read_or_default(given)?;
+    let defaults = SolveOptions::default();
+    let options = SolveOptions {
+        tolerance: given.tolerance.unwrap_or(defaults.tolerance),
+        max_unknowns: given.max_unknowns.unwrap_or(defaults.max_unknowns),
+        max_charts: given.max_charts.unwrap_or(defaults.max_charts),
+    };
+    Ok((options, Progress::new(given.on_progress)))
+}
+
 /// Another center for a region that was already solved.
 #[derive(Debug, Deserialize, Tsify)]
 #[serde(rename_all = "camelCase")]
@@ -61,16 +76,10 @@ impl RiemannMap {
     ///
     /// Throws "cancelled", "invalid-option", or "negative-mass" if no trustworthy map was found.
     pub fn solve(region: &Region, options: Option<Ts<RiemannOptions>>) -> Result<Self, Failure> {
-        let given = options::read_or_default(options.as_ref())?;
-        let defaults = SolveOptions::default();
-        let options = SolveOptions {
-            tolerance: given.tolerance.unwrap_or(defaults.tolerance),
-            max_unknowns: given.max_unknowns.unwrap_or(defaults.max_unknowns),
-            max_charts: given.max_charts.unwrap_or(defaults.max_charts),
-        };
-        memory::reserve(region.inner().boundary().len());
-        let mut progress = Progress::new(given.on_progress);
-        let solved = crate::riemann::RiemannMap::solve(region.inner(), &options, &mut |stage, fraction| {
+        let region = region.simple("A Riemann map")?;
+        let (options, mut progress) = solve_options(options.as_ref())?;
+        memory::reserve(region.boundary().len());
+        let solved = crate::riemann::RiemannMap::solve(region, &options, &mut |stage, fraction| {
             progress.report(stage, fraction)
         });
         progress.finish(solved).map(Self)

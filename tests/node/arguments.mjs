@@ -10,7 +10,7 @@ import { calls, types } from "../../pkg/signatures.js";
 /** @typedef {import("../../js/check.js").Type} Type */
 /** @typedef {import("../../js/check.js").Parameter} Parameter */
 
-const { default: init, FormulaMap, FoveatedTexture, JointTriangulation, Region, RegionMap, RetinoCorticalMap, RiemannMap, Texture } = warp;
+const { default: init, AnnulusMap, Electrostatics, ExteriorMap, FormulaMap, FoveatedTexture, JointTriangulation, PotentialFlow, Region, RegionMap, RetinoCorticalMap, RiemannMap, SlitMap, Texture } = warp;
 
 const declared = readFileSync(new URL("../../pkg/index.d.ts", import.meta.url), "utf8");
 const codes = new Set([.../** @type {RegExpExecArray} */ (/type ErrorCode = (.*);/.exec(declared))[1].matchAll(/"([a-z-]+)"/g)].map(([, code]) => code));
@@ -24,6 +24,15 @@ before(async () => {
   await init();
   const region = new Region({ boundary: new Float64Array([-1, -1, 1, -1, 1, 1, -1, 1]), center: [0, 0], toward: [1, 0] });
   const map = RiemannMap.solve(region);
+  const square = (/** @type {number} */ half) => new Float64Array([-half, -half, half, -half, half, half, -half, half]);
+  const ring = new Region({ boundary: square(1), holes: [square(0.5)] });
+  const holed = {
+    AnnulusMap: AnnulusMap.solve(ring),
+    SlitMap: SlitMap.solve(ring, { kind: "annulus" }),
+    Electrostatics: Electrostatics.solve(ring, { potentials: [0, 1] }),
+    ExteriorMap: ExteriorMap.solve({ boundary: square(1) }),
+    PotentialFlow: PotentialFlow.past(Region.exterior({ holes: [square(1)] })),
+  };
   const texture = new Texture(new Uint8Array(4 * 64), 8, 8);
   const frame = { center: [0, 0], width: 2, pixels: [8, 8] };
   const formula = new FormulaMap("z + t", { params: { t: [0, 0] } });
@@ -39,7 +48,7 @@ before(async () => {
     frame,
     context,
     objects: { Region: region, RiemannMap: map, Texture: texture, FormulaMap: formula, RetinoCorticalMap: cortex, FoveatedTexture: stack,
-      JointTriangulation: mesh, CorticalImage: image, PreparedWarp: prepared, RegionMap: RegionMap.between(map, map) },
+      JointTriangulation: mesh, CorticalImage: image, PreparedWarp: prepared, RegionMap: RegionMap.between(map, map), ...holed },
   };
 });
 

@@ -26,7 +26,7 @@ pub struct Canonical {
     field: Arc<DomainField>,
     form: Form,
     /// Known pairs, from which the way back starts; made at its first use.
-    seeds: OnceLock<Arc<Seeds>>,
+    seeds: Arc<OnceLock<Seeds>>,
 }
 
 /// Newton's method ends after so many steps.
@@ -42,7 +42,7 @@ impl Canonical {
     /// A map in a given form.
     #[must_use]
     pub fn new(field: DomainField, form: Form) -> Self {
-        Self { field: Arc::new(field), form, seeds: OnceLock::new() }
+        Self { field: Arc::new(field), form, seeds: Arc::default() }
     }
 
     /// The function B.
@@ -98,9 +98,8 @@ impl Canonical {
         }
         let target = if self.form.exponential { w.ln() } else { w };
         let seeds = self.seeds.get_or_init(|| {
-            Arc::new(Seeds::new(self.domain(), self.form.exponential, &|z| {
-                self.key(z).map(|(key, _)| key).filter(|key| key.is_finite())
-            }))
+            let key = |z| self.key(z).map(|(key, _)| key).filter(|key| key.is_finite());
+            Seeds::new(self.domain(), self.form.exponential, &key)
         });
         let candidates = seeds.near(target, CANDIDATES);
         let direct = candidates.iter().find_map(|&(_, z)| self.newton(target, z));

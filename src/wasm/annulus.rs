@@ -1,0 +1,77 @@
+//! `AnnulusMap` in JavaScript.
+
+use super::error::Failure;
+use super::points;
+use super::region::Region;
+use super::riemann::{RiemannOptions, solve_options};
+use super::solved::solved_methods;
+use super::warp;
+use crate::map::PlaneMap;
+use crate::warp::Direction;
+use tsify::Ts;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// The conformal map of a region with one hole onto the ring 1 > |w| > `innerRadius`: the outer boundary goes to |w| = 1, and
+/// the region's `toward` (else its first boundary point) to 1.
+#[wasm_bindgen]
+pub struct AnnulusMap(Box<dyn PlaneMap>, crate::riemann::AnnulusMap);
+
+#[wasm_bindgen]
+impl AnnulusMap {
+    /// Solves for the map.
+    ///
+    /// Throws "wrong-region" unless the region has one hole; "cancelled", "invalid-option", "inaccurate" or "too-few-points".
+    pub fn solve(region: &Region, options: Option<Ts<RiemannOptions>>) -> Result<Self, Failure> {
+        let (options, mut progress) = solve_options(options.as_ref())?;
+        let solved = crate::riemann::AnnulusMap::solve(&region.domain(), &options, &mut |stage, fraction| {
+            progress.report(stage, fraction)
+        });
+        progress.finish(solved).map(|map| Self(Box::new(map.clone()), map))
+    }
+
+    /// Region → ring, point by point `[x0, y0, x1, y1, …]`; NaN outside the closed region.
+    #[wasm_bindgen(js_name = toAnnulus)]
+    pub fn to_annulus(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
+        Ok(points::mapped(points, |points| self.1.to_annulus(points))?)
+    }
+
+    /// Ring → region, the inverse of `toAnnulus`; NaN outside the closed ring.
+    #[wasm_bindgen(js_name = fromAnnulus)]
+    pub fn from_annulus(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
+        Ok(points::mapped(points, |points| self.1.from_annulus(points))?)
+    }
+
+    /// f' of the map region → ring, per plane unit; NaN outside the closed region, infinite at a re-entrant vertex.
+    pub fn derivative(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
+        Ok(points::mapped(points, |points| self.1.derivative(points))?)
+    }
+
+    /// The radius of the ring's inner circle.
+    #[wasm_bindgen(getter, js_name = innerRadius)]
+    pub fn inner_radius(&self) -> f64 {
+        self.1.inner_radius()
+    }
+
+    /// 1 / `innerRadius`: the ratio of the ring's radii, outer to inner.
+    #[wasm_bindgen(getter)]
+    pub fn modulus(&self) -> f64 {
+        self.1.modulus()
+    }
+
+    /// 2π / log `modulus`: the capacity a unit of length, over ε₀, between hole and outer boundary.
+    #[wasm_bindgen(getter)]
+    pub fn capacity(&self) -> f64 {
+        self.1.capacity()
+    }
+}
+
+solved_methods! {
+    AnnulusMap, 1,
+    " An estimate of the largest error of log w, so of w relative to its size."
+}
+
+warp::warp_methods! {
+    AnnulusMap, Direction::PushForward,
+    " The texture as the map shows it on the ring, pixel by pixel, without a mesh: RGBA bytes with straight alpha."
+    " `pull-back` shows on the region what lies on the ring."
+}

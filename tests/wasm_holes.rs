@@ -1,0 +1,106 @@
+//! Regions with holes as JavaScript sees them. Runs in Node.
+#![cfg(target_arch = "wasm32")]
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+use conformal_warp::wasm::annulus::AnnulusMap;
+use conformal_warp::wasm::electrostatics::{ConductorOptions, Electrostatics};
+use conformal_warp::wasm::exterior::{BodyOptions, ExteriorMap};
+use conformal_warp::wasm::flow::{FlowOptions, PotentialFlow};
+use conformal_warp::wasm::region::{ExteriorOptions, Region, RegionOptions};
+use conformal_warp::wasm::riemann::{RiemannMap, RiemannOptions};
+use conformal_warp::wasm::slits::{SlitMap, SlitOptions};
+use js_sys::Reflect;
+use tsify::Ts;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+fn object(fields: &str) -> JsValue {
+    js_sys::eval(&format!("({{ {fields} }})")).unwrap()
+}
+
+fn region(fields: &str) -> Result<Region, JsValue> {
+    Region::new(Ts::<RegionOptions>::new_unchecked(object(fields))).map_err(JsValue::from)
+}
+
+fn exterior(fields: &str) -> Region {
+    Region::exterior(Ts::<ExteriorOptions>::new_unchecked(object(fields))).unwrap()
+}
+
+fn code(error: &JsValue) -> String {
+    Reflect::get(error, &"code".into()).unwrap().as_string().unwrap()
+}
+
+fn fine() -> Option<Ts<RiemannOptions>> {
+    Some(Ts::<RiemannOptions>::new_unchecked(object("tolerance: 1e-12")))
+}
+
+const FRAME: &str = "boundary: new Float64Array([-1, -1, 1, -1, 1, 1, -1, 1]), holes: [new Float64Array([-0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, 0.5])]";
+
+#[wasm_bindgen_test]
+fn a_region_knows_its_holes() {
+    let frame = region(FRAME).unwrap();
+    assert_eq!(frame.contains(&[0.75, 0.0, 0.0, 0.0, 0.5, 0.0, 2.0, 0.0]).unwrap(), [1, 0, 1, 0]);
+    let hole: js_sys::Float64Array = frame.holes().get(0).dyn_into().unwrap();
+    assert_eq!(hole.to_vec(), [-0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, 0.5]);
+    let thrown =
+        region("boundary: new Float64Array([0, 0, 1, 0, 0, 1]), holes: [new Float64Array([2, 2, 3, 2, 2, 3])]");
+    assert_eq!(code(&thrown.unwrap_err()), "hole-outside");
+    let thrown =
+        region("boundary: new Float64Array([0, 0, 1, 0, 0, 1]), holes: [new Float64Array([0.1, 0.1, 3, 2, 2, 3])]");
+    assert_eq!(code(&thrown.unwrap_err()), "holes-meet");
+    assert_eq!(
+        code(&region("boundary: new Float64Array([0, 0, 1, 0, 0, 1]), holes: [3]").unwrap_err()),
+        "invalid-option"
+    );
+    assert_eq!(code(&JsValue::from(RiemannMap::solve(&frame, None).unwrap_err())), "wrong-region");
+}
+
+#[wasm_bindgen_test]
+fn a_frame_goes_to_a_ring_and_back() {
+    let map = AnnulusMap::solve(&region(FRAME).unwrap(), fine()).unwrap();
+    assert!((map.inner_radius() - 0.541_210_760_957_991).abs() < 1e-12, "{}", map.inner_radius());
+    assert!((map.modulus() - 1.847_709_011_236_05).abs() < 1e-12);
+    assert!((map.capacity() - 10.234_092_569_368_05).abs() < 1e-11);
+    assert!(map.error_estimate() <= 1e-12 && map.residual() < 1e-12 && map.unknowns() > 100);
+    assert_eq!(map.stop().unwrap().js_value(), "tolerance");
+    let images = map.to_annulus(&[-1.0, -1.0, 0.7, 0.1, 0.0, 0.0]).unwrap();
+    assert!((images[0] - 1.0).abs() < 1e-12 && images[1].abs() < 1e-12 && images[4].is_nan(), "{images:?}");
+    let back = map.from_annulus(&images[2..4]).unwrap();
+    assert!((back[0] - 0.7).abs() < 1e-10 && (back[1] - 0.1).abs() < 1e-10, "{back:?}");
+}
+
+#[wasm_bindgen_test]
+fn slits_fields_and_flows() {
+    let frame = region(&format!("{FRAME}, center: [0.75, 0], toward: [1, 0]")).unwrap();
+    let kind = Ts::<SlitOptions>::new_unchecked(object("kind: 'disk'"));
+    let slits = SlitMap::solve(&frame, kind, fine()).unwrap();
+    assert!(
+        slits
+            .to_slits(&[0.75, 0.0, 1.0, 0.0])
+            .unwrap()
+            .iter()
+            .zip([0.0, 0.0, 1.0, 0.0])
+            .all(|(a, b)| (a - b).abs() < 1e-12)
+    );
+    let ends = slits.slits();
+    assert!((ends[0].hypot(ends[1]) - ends[2].hypot(ends[3])).abs() < 1e-12);
+    let pole = Ts::<SlitOptions>::new_unchecked(object("kind: 'radial'"));
+    assert_eq!(code(&JsValue::from(SlitMap::solve(&frame, pole, None).err().unwrap())), "invalid-option");
+
+    let given = Ts::<ConductorOptions>::new_unchecked(object("potentials: [0, 1]"));
+    let field = Electrostatics::solve(&frame, given, fine()).unwrap();
+    assert!((field.impedance().unwrap() - 36.811_306_020_4).abs() < 1e-9);
+    assert!((field.potential(&[0.5, 0.2]).unwrap()[0] - 1.0).abs() < 1e-12);
+
+    let square = "new Float64Array([0, 0, 1, 0, 1, 1, 0, 1])";
+    let body = Ts::<BodyOptions>::new_unchecked(object(&format!("boundary: {square}")));
+    assert!((ExteriorMap::solve(body, fine()).unwrap().capacity() - 0.590_170_299_508_048_1).abs() < 1e-12);
+
+    let wing = exterior("holes: [new Float64Array([1, 0, 0, 0.05, -1, 0, 0, -0.05])]");
+    let wind = Ts::<FlowOptions>::new_unchecked(object("angle: 0.1, circulation: 'kutta'"));
+    let flow = PotentialFlow::past(&wing, Some(wind), fine()).unwrap();
+    assert!((flow.lift(None) - 0.64).abs() < 0.03 && flow.lift(Some(2.0)) == 2.0 * flow.lift(None));
+    assert!(flow.stream(&[0.0, 0.0]).unwrap()[0].is_nan());
+    let odd = Ts::<FlowOptions>::new_unchecked(object("circulation: 'euler'"));
+    assert_eq!(code(&JsValue::from(PotentialFlow::past(&wing, Some(odd), None).unwrap_err())), "invalid-option");
+}
