@@ -163,6 +163,10 @@ impl BoundaryCorrespondence {
     pub fn locate(&self, discretisation: &Discretisation, measure: f64) -> (usize, f64) {
         let measure = measure.rem_euclid(1.0);
         let q = (self.starts.partition_point(|&start| start <= measure).max(1) - 1).min(self.starts.len() - 2);
+        if self.starts[q + 1] == self.starts[q] {
+            // Nothing of it is seen.
+            return (q, 0.5);
+        }
         let (mut low, mut high) = (0.0, 1.0);
         let outgoing = discretisation.panels[q].outgoing;
         let mut tau = (measure - self.starts[q]) / (self.starts[q + 1] - self.starts[q]);

@@ -38,11 +38,18 @@ impl Discretisation {
     /// Puts rules to panels.
     #[must_use]
     pub fn new(boundary: Arc<Boundary>, panels: Vec<Panel>, rules: &mut Rules) -> Self {
-        let panel_rules = panels.iter().map(|panel| rules.of(panel)).collect();
         let walls = ThinWalls::new(&boundary, &panels);
+        Self { walls, ..Self::of_known(boundary, panels, rules) }
+    }
+
+    /// For masses that are known: nothing is asked of the walls.
+    #[must_use]
+    pub fn of_known(boundary: Arc<Boundary>, panels: Vec<Panel>, rules: &mut Rules) -> Self {
+        let panel_rules = panels.iter().map(|panel| rules.of(panel)).collect();
         let first = |edge: usize| panels.partition_point(|panel| panel.edge < edge);
         let components = boundary.loops.iter().map(|range| first(range.start)..first(range.end)).collect();
-        Self { boundary, panels, components, rules: panel_rules, order: rules.order.clone(), walls }
+        let (order, walls) = (rules.order.clone(), ThinWalls::unseen());
+        Self { boundary, panels, components, rules: panel_rules, order, walls }
     }
 
     /// Number of unknown masses.

@@ -7,11 +7,9 @@
 use super::clusters::{Cluster, ClusterTree};
 use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::Discretisation;
-use super::far_center::Measure;
 use super::legendre::{GaussRule, MAX_NODES, legendre};
 use super::multipole::shift_multipole;
 use super::series_sum::{MAX_TERMS, Piece, Sum, expansion_factors};
-
 use crate::plane::Complex64;
 
 /// A cluster is far when its radius is at most this share of its distance from the disk of the series.
@@ -61,10 +59,9 @@ struct PanelSource {
 }
 
 impl LocalSeries {
-    /// Prepares the potential of a measure.
+    /// Prepares the potential of node masses, scaled to total mass 1, and of their correspondence.
     #[must_use]
-    pub fn new(measure: &Measure) -> Self {
-        let discretisation = &measure.discretisation;
+    pub fn new(discretisation: &Discretisation, masses: &[f64], correspondence: &BoundaryCorrespondence) -> Self {
         let order = &discretisation.order;
         let digits = order.digits;
         let terms = (digits * std::f64::consts::LN_10 / -FAR.ln()).ceil() as usize + 2;
@@ -75,7 +72,7 @@ impl LocalSeries {
             multipoles: vec![Complex64::ZERO; clusters.len() * terms],
             clusters,
             terms,
-            panels: panel_sources(discretisation, &measure.masses, &measure.correspondence),
+            panels: panel_sources(discretisation, masses, correspondence),
             gauss: order.piece.clone(),
             factors: expansion_factors(),
             far_union: 10f64.powf(-digits / order.piece.len() as f64).min(FAR_PIECE),
@@ -305,7 +302,7 @@ mod tests {
                 let discretisation = solution.discretisation();
                 let unit = discretisation.boundary.unit;
                 let direct = &solution.potential;
-                let series = LocalSeries::new(&Measure::from(&solution));
+                let series = LocalSeries::new(discretisation, &solution.masses, &solution.correspondence);
                 let (low, high) = region.polygon().bounds();
                 for k in 1..200 {
                     let share = |a: f64| (f64::from(k) * a).fract();

@@ -277,6 +277,13 @@ impl Rules {
         Self { order, by_exponent: HashMap::new() }
     }
 
+    /// With the rules that panels have already.
+    #[must_use]
+    pub fn from_panels(order: Order, panels: &[Panel], rules: &[Arc<PanelRule>]) -> Self {
+        let known = panels.iter().zip(rules).map(|(panel, rule)| (panel.exponent.to_bits(), Arc::clone(rule)));
+        Self { order, by_exponent: known.collect() }
+    }
+
     /// The rule for a panel.
     pub fn of(&mut self, panel: &Panel) -> Arc<PanelRule> {
         let order = &self.order;

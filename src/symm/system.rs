@@ -4,6 +4,7 @@ use super::discretisation::{Discretisation, Target};
 use super::fast_multipole::FastInfluence;
 use super::gmres::gmres;
 use super::influence::{DenseInfluence, Influence};
+use super::known::Known;
 use super::lu::Lu;
 use super::options::Progress;
 use super::problem::{Problem, Source};
@@ -26,6 +27,15 @@ pub struct System {
     equations: Arc<Equations>,
     check_equations: Arc<Equations>,
     inverse: Arc<Inverse>,
+    /// Of the panels that are not solved for.
+    given: Option<Given>,
+}
+
+/// A measure that is known already, as the equations see it.
+struct Given {
+    known: Arc<Known>,
+    at_targets: Vec<f64>,
+    at_checks: Vec<f64>,
 }
 
 enum Equations {
@@ -105,7 +115,16 @@ impl System {
             )
         };
         let (equations, check_equations) = (Arc::new(equations), Arc::new(check_equations));
-        Ok(Self { discretisation, components, targets, checks, equations, check_equations, inverse: Arc::new(inverse) })
+        let inverse = Arc::new(inverse);
+        Ok(Self { discretisation, components, targets, checks, equations, check_equations, inverse, given: None })
+    }
+
+    /// The same equations, with a known measure on panels that are not among those solved for.
+    #[must_use]
+    pub fn with_known(self, known: &Arc<Known>) -> Self {
+        let at_targets = known.potentials(&self.discretisation, &self.targets);
+        let at_checks = known.potentials(&self.discretisation, &self.checks);
+        Self { given: Some(Given { known: Arc::clone(known), at_targets, at_checks }), ..self }
     }
 
     /// The system of refined panels; a large one takes over what concerns panels that were kept.
@@ -113,6 +132,20 @@ impl System {
     /// # Errors
     /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn refined(self: Arc<Self>, refinement: Refinement, rules: &mut Rules, progress: Progress) -> Result<Self> {
+        let known = self.given.as_ref().map(|given| Arc::clone(&given.known));
+        let refined = self.refined_equations(refinement, rules, progress)?;
+        Ok(match known {
+            Some(known) => refined.with_known(&known),
+            None => refined,
+        })
+    }
+
+    fn refined_equations(
+        self: Arc<Self>,
+        refinement: Refinement,
+        rules: &mut Rules,
+        progress: Progress,
+    ) -> Result<Self> {
         let boundary = Arc::clone(&self.discretisation.boundary);
         let discretisation = Discretisation::new(boundary, refinement.panels.clone(), rules);
         // What is not needed any more makes room for what comes, unless somebody else holds the system.
@@ -144,6 +177,7 @@ impl System {
             equations: Arc::new(Equations::Fast(refined)),
             check_equations: Arc::new(Equations::Fast(refined_checks)),
             inverse: Arc::new(Inverse::TwoLevel(two_level)),
+            given: None,
         })
     }
 
@@ -160,6 +194,10 @@ impl System {
     ) -> Result<SystemSolution> {
         let mut rhs = problem.source.values(&self.discretisation.boundary, &self.targets);
         rhs.extend_from_slice(&problem.charges);
+        if let Some(Given { known, at_targets, .. }) = &self.given {
+            // One component, whose charge is the measure of the whole.
+            rhs.iter_mut().zip(at_targets.iter().chain([&known.mass])).for_each(|(r, given)| *r -= given);
+        }
         let n = self.discretisation.unknowns();
         let mut x = guess.unwrap_or_else(|| vec![0.0; n]);
         x.resize(n + self.components.len(), 0.0);
@@ -229,6 +267,9 @@ impl System {
     fn residuals(&self, problem: &Problem, masses: &[f64], constants: &[f64]) -> Vec<f64> {
         let mut potentials = vec![0.0; self.checks.len()];
         self.check_equations.apply(masses, &mut potentials);
+        if let Some(given) = &self.given {
+            potentials.iter_mut().zip(&given.at_checks).for_each(|(u, known)| *u += known);
+        }
         let values = problem.source.values(&self.discretisation.boundary, &self.checks);
         let per_panel = self.checks.len() / self.discretisation.panels.len();
         let mut residuals = Vec::with_capacity(self.discretisation.panels.len());

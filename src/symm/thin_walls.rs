@@ -34,6 +34,12 @@ impl ThinWalls {
         Self { signed_slenderness: panels.iter().map(slenderness).collect() }
     }
 
+    /// Looks nowhere: for measures whose residuals are not asked for.
+    #[must_use]
+    pub fn unseen() -> Self {
+        Self { signed_slenderness: Vec::new() }
+    }
+
     /// The largest error of θ that residuals (one a panel) make along a wall.
     #[must_use]
     pub fn error(&self, residuals: &[f64]) -> f64 {

@@ -10,6 +10,7 @@ use crate::symm::far_center::{Measure, solve_far};
 use crate::symm::local_series::LocalSeries;
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::solution::Solution;
+use std::sync::Arc;
 
 /// One center's map region → disk, with vertex 0 ↦ 1 (scaled units).
 #[derive(Clone, Debug)]
@@ -21,11 +22,10 @@ pub struct Chart {
 }
 
 impl Chart {
-    fn new(solution: &Solution, walls: &Walls) -> Self {
-        let measure = Measure::from(solution);
+    fn new(measure: Measure, series: LocalSeries, walls: &Walls) -> Self {
         let boundary = &measure.discretisation.boundary;
         let zones = Zones::new(boundary, walls, measure.center, |zone| measure.on_edge(zone.on_edge(boundary, 0.0)));
-        Self { series: LocalSeries::new(&measure), zones, measure }
+        Self { series, zones, measure }
     }
 
     /// The point that goes to 0.
@@ -91,7 +91,7 @@ pub enum Taken {
 #[derive(Clone, Debug)]
 pub struct Atlas {
     /// The charts.
-    pub charts: Vec<Chart>,
+    pub charts: Vec<Arc<Chart>>,
     /// `links[i][j]`: chart j → chart i.
     links: Vec<Vec<Link>>,
     /// Chart i → chart 0, in polar form.
@@ -101,13 +101,10 @@ pub struct Atlas {
     options: SolveOptions,
 }
 
-/// No chart is added when all have as many unknowns together as this
+/// No chart is added when all have as many masses together as this
 const UNKNOWNS: usize = 100_000;
-/// and this times those of the first, so that large regions do not wait for, or run out of memory over, their small bays.
+/// and this times those of the first, so that large regions do not run out of memory over their small bays.
 const UNKNOWNS_PER_FIRST: usize = 4;
-/// Where the first has more than this, each of the others would take longer than the whole solve did: none is added, and what
-/// crowds together is told apart as well as the first can.
-const LARGEST_FIRST: usize = 40_000;
 /// More centers than any region needs that double precision can describe.
 const MAX_CHARTS: usize = 64;
 /// Disk → region, another chart takes over where it stretches by this much more; well beyond the middle between two centers.
@@ -120,7 +117,9 @@ impl Atlas {
     #[must_use]
     pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
         let walls = Walls::new(&solution.discretisation().boundary);
-        let charts = vec![Chart::new(solution, &walls)];
+        let measure = Measure::from(solution);
+        let series = measure.series();
+        let charts = vec![Arc::new(Chart::new(measure, series, &walls))];
         Self {
             charts,
             links: vec![vec![Link::IDENTITY]],
@@ -142,16 +141,13 @@ impl Atlas {
         let near = &self.charts[parent];
         let unknowns: usize = self.charts.iter().map(|chart| chart.measure.masses.len()).sum();
         let affordable = UNKNOWNS + UNKNOWNS_PER_FIRST * first.masses.len();
-        if first.masses.len() > LARGEST_FIRST {
-            return false;
-        }
         if self.charts.len() >= self.options.max_charts.min(MAX_CHARTS) || unknowns >= affordable {
             return false;
         }
-        let Ok(solution) = solve_far(first, &near.measure, center, &self.options, progress) else {
+        let Ok((measure, series)) = solve_far(first, &near.measure, center, &self.options, progress) else {
             return false;
         };
-        let chart = Chart::new(&solution, &self.walls);
+        let chart = Chart::new(measure, series, &self.walls);
         let (mut there, mut back) = ([Complex64::ZERO; 2], [Complex64::ZERO; 2]);
         near.expand(center, TINY, &mut there);
         chart.expand(near.measure.center, TINY, &mut back);
@@ -164,7 +160,7 @@ impl Atlas {
         row.push(Link::IDENTITY);
         self.links.push(row);
         self.positions.push(self.positions[parent].next(there[0], back[0]));
-        self.charts.push(chart);
+        self.charts.push(Arc::new(chart));
         true
     }
 
@@ -187,6 +183,14 @@ impl Atlas {
         others.max_by(|&i, &j| stretch(i).total_cmp(&stretch(j))).filter(|&best| stretch(best) > by)
     }
 
+    /// Whether chart `to` stretches more than `chart` at `w` of its disk.
+    #[must_use]
+    pub fn serves_better(&self, to: usize, chart: usize, w: Complex64) -> bool {
+        let stretch = self.links[to][chart].stretch(w);
+        // Of what is NaN nothing is known.
+        to != chart && (stretch > BETTER || stretch.is_nan())
+    }
+
     /// Whether others should be asked for what lies within `radius` of `w` in `chart`'s disk.
     #[must_use]
     pub fn taken_over(&self, chart: usize, w: Complex64, radius: f64) -> Taken {
@@ -206,7 +210,7 @@ impl Atlas {
     /// Bytes of memory, about.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.charts.iter().map(Chart::bytes).sum()
+        self.charts.iter().map(|chart| chart.bytes()).sum()
     }
 }
 

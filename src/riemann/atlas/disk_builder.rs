@@ -8,6 +8,7 @@ use super::leaf::Leaf;
 use super::patch::Patch;
 use super::patches::Patches;
 use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step};
+use super::region_builder::LEAST_SLOPE;
 use super::region_side::RegionSide;
 use crate::plane::Complex64;
 use std::f64::consts::{SQRT_2, TAU};
@@ -46,7 +47,6 @@ pub struct DiskParts {
 pub fn build(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accuracy) -> DiskParts {
     let mut tree = Quadtree::new(Complex64::ZERO, 1.01);
     let seeds: Vec<Pair> = region
-        .cells
         .centers()
         .map(|(z, w, own)| (atlas.link(chart, own).apply(w), z))
         .filter(|(w, _)| w.norm_sqr() < 1.0)
@@ -56,9 +56,11 @@ pub fn build(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accurac
         atlas,
         inverter: Inverter::new(atlas, region, chart, accuracy),
         chart,
-        squares: FEWEST_SQUARES + SQUARES_PER_EXPANSION * (region.cells.len() + atlas.charts[chart].zones.list.len()),
+        squares: FEWEST_SQUARES + SQUARES_PER_EXPANSION * (region.cells() + atlas.charts[chart].zones.list.len()),
         cells: Cells::default(),
-        patches: region.patches.of_chart(chart),
+        patches: region.patches_of(chart),
+        alone: atlas.charts.len() == 1,
+        size: region.size(),
         seeds: Vec::new(),
     };
     tree.grow(tree.root(), (Rc::new(seeds), center), &mut |square, known| builder.decide(square, &known));
@@ -75,6 +77,10 @@ struct Builder<'a> {
     cells: Cells,
     patches: Patches,
     seeds: Vec<Pair>,
+    /// Whether there is no chart but this.
+    alone: bool,
+    /// Of the region.
+    size: f64,
 }
 
 /// Pairs (w, z) near a square, and the one nearest to it.
@@ -105,11 +111,27 @@ impl Builder<'_> {
         {
             return Step::Leaf(Leaf::Patch(index).into());
         }
+        if self.alone && self.is_crowded(square, seed()) {
+            return Step::Leaf(Leaf::Crowded.into());
+        }
         if radius <= SURE_SHARE * room || square.level == MAX_LEVEL || self.squares == 0 {
             self.seeds.push(seed());
             return Step::Leaf(Leaf::Walk(self.seeds.len() as u32 - 1).into());
         }
         split(square, known)
+    }
+
+    /// Whether the one chart that there is crowds together what the square shows: the middle of a square that is small against
+    /// its distance from the circle, or the zone beside one that is not.
+    fn is_crowded(&mut self, square: Square, seed: Pair) -> bool {
+        let radius = square.half * SQRT_2;
+        if radius <= SHARE_OF_CIRCLE * (1.0 - square.center.norm()) {
+            return self.inverter.is_crowded(seed, square.center);
+        }
+        let Some(zone) = self.candidates(square.center).first().copied() else { return false };
+        let index = self.patches.get(self.atlas, self.chart, zone);
+        let patch = &self.patches.list[index as usize];
+        radius <= patch.farthest() && patch.typical_slope() * self.size < LEAST_SLOPE
     }
 
     /// A patch whose zone holds all that the square shows of the region.

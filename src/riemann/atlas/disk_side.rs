@@ -24,6 +24,8 @@ pub enum Source {
     Chart(usize),
     /// Walk from here.
     Walk(Pair),
+    /// The first chart alone tells too little apart there.
+    Crowded,
     /// Outside the disk.
     Nowhere,
 }
@@ -51,6 +53,7 @@ impl DiskSide {
             }
             Leaf::Chart(chart) => Source::Chart(chart as usize),
             Leaf::Walk(index) => Source::Walk(self.parts.seeds[index as usize]),
+            Leaf::Crowded => Source::Crowded,
             Leaf::Outside | Leaf::Sum(_) => Source::Nowhere,
         }
     }

@@ -7,7 +7,7 @@ use super::disk_point::DiskPoint;
 use super::disk_side::{DiskSide, Source};
 use super::inverse_cell::{Inverter, Pair};
 use super::position::Position;
-use super::region_side::RegionSide;
+use super::region_side::{Found, RegionSide};
 use crate::plane::Complex64;
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::solution::Solution;
@@ -16,49 +16,40 @@ use std::fmt;
 use std::sync::OnceLock;
 
 /// The maps region ↔ disk of a polygon's solution, with vertex 0 ↦ 1, in scaled units.
+///
+/// Everything is built when it is first asked for, and whether it is asked for depends on the point alone: what the first
+/// chart tells apart it always answers, alone; where it crowds the region together, all charts are solved.
 pub struct Expansions {
+    near: Charted,
+    far: OnceLock<Charted>,
+    accuracy: Accuracy,
+}
+
+/// Both ways by some charts.
+struct Charted {
     atlas: Atlas,
     region: RegionSide,
-    /// One a chart, built when it is first asked.
+    /// One a chart.
     disks: Vec<OnceLock<DiskSide>>,
     accuracy: Accuracy,
 }
 
-impl Expansions {
-    /// Builds the way to the disk; the way back is built chart by chart, where it is first asked for.
-    #[must_use]
-    pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
-        Self::build(solution, options, &mut |_, _| true)
-    }
+/// A point of the region, the derivative in the chart that knew it, and that chart.
+type Known = (Complex64, Complex64, usize);
 
-    /// [`Expansions::new`], unless `progress` cancels: then nothing is left of it.
-    ///
-    /// # Errors
-    /// [`Error::Cancelled`].
-    pub fn reporting(solution: &Solution, options: &SolveOptions, progress: Progress) -> Result<Self> {
-        let mut cancelled = false;
-        let built = Self::build(solution, options, &mut |stage, fraction| {
-            cancelled = cancelled || !progress(stage, fraction);
-            !cancelled
-        });
-        if cancelled { Err(Error::Cancelled) } else { Ok(built) }
-    }
-
-    /// Of no use once `progress` has returned false.
-    fn build(solution: &Solution, options: &SolveOptions, progress: Progress) -> Self {
-        let boundary = &solution.discretisation().boundary;
-        let accuracy = Accuracy::of(solution);
-        let mut atlas = Atlas::new(solution, options);
-        let region = RegionSide::new(boundary, &mut atlas, accuracy, progress);
+impl Charted {
+    fn new(atlas: Atlas, region: RegionSide, accuracy: Accuracy) -> Self {
         let disks = vec![OnceLock::new(); atlas.charts.len()];
         Self { atlas, region, disks, accuracy }
     }
 
+    #[inline]
+    fn disk(&self, chart: usize) -> &DiskSide {
+        self.disks[chart].get_or_init(|| DiskSide::new(&self.atlas, &self.region, chart, self.accuracy))
+    }
+
     /// Builds the way back for all charts.
-    ///
-    /// # Errors
-    /// [`Error::Cancelled`].
-    pub fn prepare(&self, progress: Progress) -> Result<()> {
+    fn prepare(&self, progress: Progress) -> Result<()> {
         for chart in 0..self.disks.len() {
             if !progress("expand", chart as f64 / self.disks.len() as f64) {
                 return Err(Error::Cancelled);
@@ -68,85 +59,17 @@ impl Expansions {
         Ok(())
     }
 
-    #[inline]
-    fn disk(&self, chart: usize) -> &DiskSide {
-        self.disks[chart].get_or_init(|| DiskSide::new(&self.atlas, &self.region, chart, self.accuracy))
-    }
-
-    /// Region → disk; `None` outside the closed region.
-    #[inline]
-    #[must_use]
-    pub fn to_disk(&self, z: Complex64) -> Option<DiskPoint> {
-        self.region.at(&self.atlas, z).map(|(chart, w)| DiskPoint { chart, w })
-    }
-
-    /// Region → disk, with the derivative in the point's chart.
-    #[inline]
-    #[must_use]
-    pub fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
-        self.region.with_slope(&self.atlas, z).map(|(chart, w, slope)| (DiskPoint { chart, w }, slope))
-    }
-
-    /// d(flat point)/d(point in its chart).
-    #[inline]
-    #[must_use]
-    pub fn flat_slope(&self, point: DiskPoint) -> Complex64 {
-        if point.chart == 0 { Complex64::ONE } else { self.atlas.link(0, point.chart).slope(point.w) }
-    }
-
-    /// The point of the closed disk as a number.
-    #[inline]
-    #[must_use]
-    pub fn flat(&self, point: DiskPoint) -> Complex64 {
-        if point.chart == 0 { point.w } else { onto_disk(self.atlas.link(0, point.chart).apply(point.w)) }
-    }
-
-    /// Disk → region; `None` outside the closed disk.
-    #[inline]
-    #[must_use]
-    pub fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
-        self.follow(point, |chart, w| self.disk(chart).at(w)).map(|(z, _, _)| z)
-    }
-
-    /// Disk → region, with the derivative by the point's number in its chart.
-    #[inline]
-    #[must_use]
-    pub fn from_disk_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)> {
-        let (z, slope, chart) = self.follow(point, |chart, w| self.disk(chart).with_slope(w))?;
-        if chart == point.chart {
-            return Some((z, slope));
-        }
-        Some((z, slope * self.atlas.link(chart, point.chart).slope(point.w)))
-    }
-
-    /// A place where parts of the region are crowded together most, if that had to be accepted anywhere.
-    #[must_use]
-    pub fn crowded(&self) -> Option<Complex64> {
-        self.region.crowded
-    }
-
-    /// The charts seen from the first.
-    #[must_use]
-    pub fn positions(&self) -> &[Position] {
-        &self.atlas.positions
-    }
-
-    /// Asks charts until one knows the point: it, the derivative in the chart that knew, and that chart.
-    #[inline]
+    /// Asks charts until one knows the point.
     fn follow(
         &self,
         DiskPoint { mut chart, mut w }: DiskPoint,
         ask: impl Fn(usize, Complex64) -> Source,
-    ) -> Option<(Complex64, Complex64, usize)> {
-        if is_outside_disk(w) {
-            return None;
-        }
-        w = onto_disk(w);
+    ) -> Option<Known> {
         for _ in 0..self.disks.len() {
             match ask(chart, w) {
                 Source::Point(z, slope) => return Some((z, slope, chart)),
                 Source::Walk(seed) => return Some(self.walk(chart, seed, w)),
-                Source::Nowhere => break,
+                Source::Nowhere | Source::Crowded => break,
                 Source::Chart(next) => {
                     // Rounding may have put it outside, and what is far away from the next center becomes large there.
                     w = onto_disk(self.atlas.link(next, chart).apply(w));
@@ -159,29 +82,199 @@ impl Expansions {
 
     /// Newton's method, for the few places that no expansion reaches.
     #[cold]
-    fn walk(&self, chart: usize, seed: Pair, w: Complex64) -> (Complex64, Complex64, usize) {
+    fn walk(&self, chart: usize, seed: Pair, w: Complex64) -> Known {
         let (z, slope) = Inverter::new(&self.atlas, &self.region, chart, self.accuracy).point(seed, w);
         (z, slope, chart)
     }
 
-    /// Number of centers that have a chart.
-    #[must_use]
-    pub fn charts(&self) -> usize {
-        self.disks.len()
+    /// What all charts share with the first.
+    fn shared_bytes(&self) -> usize {
+        self.atlas.bytes() + self.region.bytes()
     }
 
-    /// Squares that were looked at so far, of the region and of the disks: the work of building.
     fn squares(&self) -> usize {
         self.region.squares() + self.disks.iter().filter_map(OnceLock::get).map(DiskSide::squares).sum::<usize>()
     }
 
     /// Bytes of memory, about.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
+    fn bytes(&self) -> usize {
         self.atlas.bytes()
             + self.region.bytes()
             + self.disks.iter().filter_map(OnceLock::get).map(DiskSide::bytes).sum::<usize>()
     }
+}
+
+impl Expansions {
+    /// Builds the way to the disk of the first chart.
+    #[must_use]
+    pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
+        let accuracy = Accuracy::of(solution);
+        Self::build(solution, options, accuracy, &mut |_, _| true)
+    }
+
+    /// [`Expansions::new`], unless `progress` cancels: then nothing is left of it.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn reporting(solution: &Solution, options: &SolveOptions, progress: Progress) -> Result<Self> {
+        unless_cancelled(progress, |progress| Self::build(solution, options, Accuracy::of(solution), progress))
+    }
+
+    /// Of no use once `progress` has returned false.
+    fn build(solution: &Solution, options: &SolveOptions, accuracy: Accuracy, progress: Progress) -> Self {
+        let atlas = Atlas::new(solution, options);
+        let region = RegionSide::near(&solution.discretisation().boundary, &atlas, accuracy, progress);
+        Self { near: Charted::new(atlas, region, accuracy), far: OnceLock::new(), accuracy }
+    }
+
+    /// All charts; those of the near side alone if they are all.
+    fn far(&self) -> &Charted {
+        if self.near.region.is_whole() {
+            return &self.near;
+        }
+        self.far.get_or_init(|| self.build_far(&mut |_, _| true))
+    }
+
+    /// Of no use once `progress` has returned false.
+    fn build_far(&self, progress: Progress) -> Charted {
+        let mut atlas = self.near.atlas.clone();
+        let region = self.near.region.with_far(&mut atlas, self.accuracy, progress);
+        Charted::new(atlas, region, self.accuracy)
+    }
+
+    /// Builds everything, for all charts.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn prepare(&self, progress: Progress) -> Result<()> {
+        self.near.prepare(progress)?;
+        if self.near.region.is_whole() {
+            return Ok(());
+        }
+        if self.far.get().is_none() {
+            let built = unless_cancelled(progress, |progress| self.build_far(progress))?;
+            // If another thread was first, its are the same.
+            let _ = self.far.set(built);
+        }
+        self.far().prepare(progress)
+    }
+
+    /// Region → disk; `None` outside the closed region.
+    #[inline]
+    #[must_use]
+    pub fn to_disk(&self, z: Complex64) -> Option<DiskPoint> {
+        let image = match self.near.region.at(&self.near.atlas, z) {
+            Found::Crowded => self.to_disk_far(z)?,
+            near => near.image()?,
+        };
+        Some(DiskPoint { chart: image.0, w: image.1 })
+    }
+
+    #[cold]
+    fn to_disk_far(&self, z: Complex64) -> Option<(usize, Complex64)> {
+        let far = self.far();
+        far.region.at(&far.atlas, z).image()
+    }
+
+    /// Region → disk, with the derivative in the point's chart.
+    #[inline]
+    #[must_use]
+    pub fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
+        let (chart, w, slope) = match self.near.region.with_slope(&self.near.atlas, z) {
+            Found::Crowded => {
+                let far = self.far();
+                far.region.with_slope(&far.atlas, z).image()?
+            }
+            near => near.image()?,
+        };
+        Some((DiskPoint { chart, w }, slope))
+    }
+
+    /// d(flat point)/d(point in its chart).
+    #[inline]
+    #[must_use]
+    pub fn flat_slope(&self, point: DiskPoint) -> Complex64 {
+        if point.chart == 0 { Complex64::ONE } else { self.far().atlas.link(0, point.chart).slope(point.w) }
+    }
+
+    /// The point of the closed disk as a number.
+    #[inline]
+    #[must_use]
+    pub fn flat(&self, point: DiskPoint) -> Complex64 {
+        if point.chart == 0 { point.w } else { onto_disk(self.far().atlas.link(0, point.chart).apply(point.w)) }
+    }
+
+    /// Disk → region; `None` outside the closed disk.
+    #[inline]
+    #[must_use]
+    pub fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
+        self.source(point, |side, w| side.at(w)).map(|(z, _, _)| z)
+    }
+
+    /// Disk → region, with the derivative by the point's number in its chart.
+    #[inline]
+    #[must_use]
+    pub fn from_disk_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)> {
+        let (z, slope, chart) = self.source(point, |side, w| side.with_slope(w))?;
+        if chart == point.chart {
+            return Some((z, slope));
+        }
+        Some((z, slope * self.far().atlas.link(chart, point.chart).slope(point.w)))
+    }
+
+    /// Where a point of the disk comes from.
+    #[inline]
+    fn source(&self, point: DiskPoint, ask: impl Fn(&DiskSide, Complex64) -> Source) -> Option<Known> {
+        if is_outside_disk(point.w) {
+            return None;
+        }
+        let point = point.map(onto_disk);
+        if point.chart == 0
+            && let Source::Point(z, slope) = ask(self.near.disk(0), point.w)
+        {
+            return Some((z, slope, 0));
+        }
+        let all = self.far();
+        all.follow(point, |chart, w| ask(all.disk(chart), w))
+    }
+
+    /// A place where parts of the region are crowded together most, if that had to be accepted anywhere.
+    #[must_use]
+    pub fn crowded(&self) -> Option<Complex64> {
+        self.far().region.crowded()
+    }
+
+    /// The charts seen from the first.
+    #[must_use]
+    pub fn positions(&self) -> &[Position] {
+        &self.far().atlas.positions
+    }
+
+    /// Number of centers that have a chart so far.
+    fn charts(&self) -> usize {
+        self.far.get().unwrap_or(&self.near).atlas.charts.len()
+    }
+
+    /// Squares that were looked at so far, of the region and of the disks: the work of building.
+    fn squares(&self) -> usize {
+        self.near.squares() + self.far.get().map_or(0, Charted::squares)
+    }
+
+    /// Bytes of memory, about.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.near.bytes() + self.far.get().map_or(0, |far| far.bytes() - self.near.shared_bytes())
+    }
+}
+
+/// What `build` makes, unless `progress` cancels.
+fn unless_cancelled<T>(progress: Progress, build: impl FnOnce(Progress) -> T) -> Result<T> {
+    let mut cancelled = false;
+    let built = build(&mut |stage, fraction| {
+        cancelled = cancelled || !progress(stage, fraction);
+        !cancelled
+    });
+    if cancelled { Err(Error::Cancelled) } else { Ok(built) }
 }
 
 impl fmt::Debug for Expansions {

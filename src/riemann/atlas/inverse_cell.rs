@@ -4,7 +4,7 @@ use super::super::rounding::is_on_circle;
 use super::accuracy::Accuracy;
 use super::charts::Atlas;
 use super::power_series::{MAX_COEFFICIENTS, rescale, revert};
-use super::region_side::RegionSide;
+use super::region_side::{Found, RegionSide};
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
@@ -166,6 +166,13 @@ impl<'a> Inverter<'a> {
         None
     }
 
+    /// Whether the first chart alone tells too little apart over `w`, as far as a walk from a known pair can say.
+    #[must_use]
+    pub fn is_crowded(&self, seed: Pair, w: Complex64) -> bool {
+        let walk = self.walk_by(seed, w, &|z| self.own(z));
+        matches!(self.region.with_slope(self.atlas, walk.z), Found::Crowded)
+    }
+
     /// w of the closed disk → (z, dz/dw), from a pair not too far away. Where the region is too crowded to be told apart, the
     /// last point that was found on the way.
     #[must_use]
@@ -253,7 +260,7 @@ impl<'a> Inverter<'a> {
     }
 
     fn forward(&self, z: Complex64) -> Option<Forward> {
-        let (own, w, slope) = self.region.with_slope(self.atlas, z)?;
+        let (own, w, slope) = self.region.with_slope(self.atlas, z).image()?;
         if own == self.chart {
             return Some(Forward { w, slope, foreign: false });
         }

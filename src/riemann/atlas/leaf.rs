@@ -18,6 +18,8 @@ pub enum Leaf {
     Chart(u32),
     /// Disk → region: no expansion; walk from this seed.
     Walk(u32),
+    /// The first chart alone tells too little apart here.
+    Crowded,
 }
 
 impl From<u32> for Leaf {
@@ -30,6 +32,7 @@ impl From<u32> for Leaf {
             2 => Self::Sum(index),
             3 => Self::Chart(index),
             4 => Self::Walk(index),
+            6 => Self::Crowded,
             _ => Self::Outside,
         }
     }
@@ -44,6 +47,7 @@ impl From<Leaf> for u32 {
             Leaf::Chart(chart) => (chart, 3),
             Leaf::Walk(seed) => (seed, 4),
             Leaf::Outside => (0, 5),
+            Leaf::Crowded => (0, 6),
         };
         index << KIND_BITS | kind
     }

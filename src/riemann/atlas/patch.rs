@@ -103,6 +103,12 @@ impl Patch {
         self.angle(w).norm_sqr() > self.farthest * self.farthest
     }
 
+    /// How far images of the zone lie from its middle, in log w.
+    #[must_use]
+    pub fn farthest(&self) -> f64 {
+        self.farthest
+    }
+
     /// w → τ; points on the circle (and not more than rounding outside) give real τ.
     #[must_use]
     pub fn straightened(&self, w: Complex64) -> Complex64 {
@@ -124,6 +130,10 @@ impl Patch {
                 break;
             }
             tau = self.newton(angle, start);
+        }
+        if tau.is_nan() {
+            // Nothing is told apart here: the whole zone is the image of a point.
+            return Complex64::ZERO;
         }
         if on_circle { Complex64::new(tau.re, 0.0) } else { tau }
     }
@@ -159,6 +169,12 @@ impl Patch {
     fn inverse_slope(&self, tau: Complex64, w: Complex64) -> Complex64 {
         let (_, slope) = real_value_and_slope(&self.coefficients, tau);
         (Complex64::i() * w * slope * self.zone.slope(tau)).inv()
+    }
+
+    /// The image of the top of the zone.
+    #[must_use]
+    pub fn top(&self) -> Complex64 {
+        self.on_disk(real_value(&self.coefficients, Complex64::i()))
     }
 
     /// |f'| at the top of the zone.

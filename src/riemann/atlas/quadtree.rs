@@ -74,6 +74,11 @@ impl Quadtree {
         }
     }
 
+    /// Puts a leaf where a square is.
+    pub fn set(&mut self, square: Square, number: u32) {
+        self.entries[square.entry as usize] = LEAF | number;
+    }
+
     /// Builds the grid that searches start from.
     pub fn finish(&mut self) {
         self.grid_level = (self.entries.len().max(4).ilog2() / 2 + 1).min(MAX_GRID_LEVEL);

@@ -11,7 +11,6 @@ use super::walls::Nearest;
 use crate::plane::Complex64;
 use crate::symm::options::Progress;
 use crate::symm::panel::Boundary;
-use std::rc::Rc;
 use std::sync::Arc;
 
 /// A cell's polynomial is tried where its radius is at most this share of the distance to the wall,
@@ -22,13 +21,14 @@ const SHARE_OF_CORNER: f64 = 0.6;
 /// small. The map's own series goes on beyond.
 const SHARE_OF_SUM: f64 = 0.5;
 /// A chart is trusted where its |f'| × the region's size is at least this.
-const LEAST_SLOPE: f64 = 0.05;
+pub const LEAST_SLOPE: f64 = 0.05;
 /// More cells than this are not made; what is left is summed directly.
 const MAX_CELLS: usize = 400_000;
 /// Squares between two reports.
 const SQUARES_PER_REPORT: usize = 256;
 
-/// What the region is cut into.
+/// What the region, or the part of it that one chart crowds together, is cut into.
+#[derive(Clone, Debug)]
 pub struct RegionParts {
     /// The squares.
     pub tree: Quadtree,
@@ -36,46 +36,50 @@ pub struct RegionParts {
     pub cells: Cells,
     /// Boundary zones.
     pub patches: Patches,
+    /// Width of the region or its height, whichever is larger.
+    pub size: f64,
+    /// Left for further charts.
+    pub open: Vec<Crowded>,
     /// Where crowding had to be accepted, a place where it is worst.
     pub crowded: Option<Complex64>,
 }
 
-/// Cuts the region for the maps region → disk; adds charts where the map of the first is too crowded. Once `progress` has
-/// returned false, what is left is not cut any more.
-pub fn build(boundary: &Arc<Boundary>, atlas: &mut Atlas, accuracy: Accuracy, progress: Progress) -> RegionParts {
+/// Cuts the region for the map of the one chart of `atlas`; where that crowds it together, squares stay open. Once `progress`
+/// has returned false, what is left is not cut any more.
+pub fn build(boundary: &Arc<Boundary>, atlas: &Atlas, accuracy: Accuracy, progress: Progress) -> RegionParts {
     let (center, half) = bounds(boundary);
     let mut tree = Quadtree::new(center, half);
-    let patches = Patches::new(boundary, accuracy);
-    let mut builder = Builder {
-        boundary: Arc::clone(boundary),
-        accuracy,
-        size: 2.0 * half,
-        cells: Cells::default(),
-        patches,
-        crowded: Vec::new(),
-        accept_crowding: false,
-        hint: 0,
-        worst: None,
-        seen: 0,
-        done: 0.0,
-        stopped: false,
-    };
-    let root = (tree.root(), Rc::new(atlas.walls.all()));
-    let mut open = vec![root];
-    loop {
-        for (square, walls) in open.drain(..) {
-            tree.grow(square, walls, &mut |square, walls| builder.next(atlas, square, &walls, progress));
-        }
-        let score = |c: &Crowded| if c.slope.is_finite() { c.slope * c.clear } else { 0.0 };
-        let Some(next) = builder.crowded.iter().max_by(|a, b| score(a).total_cmp(&score(b))) else { break };
+    let root = (tree.root(), Arc::new(atlas.walls.all()));
+    let mut builder = Builder::new(boundary, half, accuracy);
+    builder.grow(&mut tree, atlas, vec![root], progress);
+    for crowded in &builder.crowded {
+        tree.set(crowded.square, Leaf::Crowded.into());
+    }
+    builder.parts(tree)
+}
+
+/// Cuts what `near` left open, and adds charts for it to `atlas`. The rest of the tree means nothing.
+pub fn build_far(
+    boundary: &Arc<Boundary>,
+    near: &RegionParts,
+    atlas: &mut Atlas,
+    accuracy: Accuracy,
+    progress: Progress,
+) -> RegionParts {
+    let mut tree = near.tree.clone();
+    let mut builder = Builder::new(boundary, bounds(boundary).1, accuracy);
+    builder.crowded.clone_from(&near.open);
+    let score = |c: &Crowded| if c.slope.is_finite() { c.slope * c.clear } else { 0.0 };
+    while let Some(next) = builder.crowded.iter().max_by(|a, b| score(a).total_cmp(&score(b))) {
         if !atlas.add(next.center, next.chart, progress) {
             builder.accept_crowding = true;
         }
-        open = builder.crowded.drain(..).map(|c| (c.square, c.walls)).collect();
+        let newest = atlas.charts.len() - 1;
+        let again = |c: &mut Crowded| builder.accept_crowding || atlas.serves_better(newest, c.chart, c.w);
+        let open = builder.crowded.extract_if(.., again).map(|c| (c.square, c.walls)).collect();
+        builder.grow(&mut tree, atlas, open, progress);
     }
-    tree.finish();
-    let crowded = builder.worst.map(|(_, place)| place);
-    RegionParts { tree, cells: builder.cells, patches: builder.patches, crowded }
+    builder.parts(tree)
 }
 
 /// The square around the boundary.
@@ -89,14 +93,17 @@ fn bounds(boundary: &Boundary) -> (Complex64, f64) {
     (0.5 * (low + high), 0.507 * size.re.max(size.im))
 }
 
-type WallList = Rc<Vec<u32>>;
+type WallList = Arc<Vec<u32>>;
 
 /// A square whose map no chart knows well yet.
-struct Crowded {
+#[derive(Clone, Debug)]
+pub struct Crowded {
     square: Square,
     walls: WallList,
     center: Complex64,
     chart: usize,
+    /// The center's image in its disk.
+    w: Complex64,
     /// |f'| × size there.
     slope: f64,
     /// Distance to the wall.
@@ -123,6 +130,35 @@ struct Builder {
 }
 
 impl Builder {
+    fn new(boundary: &Arc<Boundary>, half: f64, accuracy: Accuracy) -> Self {
+        Self {
+            boundary: Arc::clone(boundary),
+            accuracy,
+            size: 2.0 * half,
+            cells: Cells::default(),
+            patches: Patches::new(boundary, accuracy),
+            crowded: Vec::new(),
+            accept_crowding: false,
+            hint: 0,
+            worst: None,
+            seen: 0,
+            done: 0.0,
+            stopped: false,
+        }
+    }
+
+    fn grow(&mut self, tree: &mut Quadtree, atlas: &Atlas, open: Vec<(Square, WallList)>, progress: Progress) {
+        for (square, walls) in open {
+            tree.grow(square, walls, &mut |square, walls| self.next(atlas, square, &walls, progress));
+        }
+    }
+
+    fn parts(self, mut tree: Quadtree) -> RegionParts {
+        tree.finish();
+        let crowded = self.worst.map(|(_, place)| place);
+        RegionParts { tree, cells: self.cells, patches: self.patches, size: self.size, open: self.crowded, crowded }
+    }
+
     /// [`Builder::decide`], unless the caller wants no more.
     fn next(&mut self, atlas: &Atlas, square: Square, walls: &WallList, progress: Progress) -> Step<WallList> {
         self.stopped = self.stopped || (self.seen.is_multiple_of(SQUARES_PER_REPORT) && !progress("expand", self.done));
@@ -156,7 +192,7 @@ impl Builder {
         if square.level == MAX_LEVEL || self.cells.len() + self.patches.list.len() > MAX_CELLS {
             return Step::Leaf(Leaf::Sum(self.hint as u32).into());
         }
-        Step::Split(Rc::new(atlas.walls.within(square.center, walls, nearest.distance + 2.0 * radius)))
+        Step::Split(Arc::new(atlas.walls.within(square.center, walls, nearest.distance + 2.0 * radius)))
     }
 
     /// A Taylor polynomial, if it is accurate.
@@ -170,7 +206,8 @@ impl Builder {
         self.hint = chart;
         let slope = coefficients[1].norm() / radius * self.size;
         if !self.trusts(slope, square.center) {
-            self.crowded.push(Crowded { square, walls: Rc::clone(walls), center: square.center, chart, slope, clear });
+            let (walls, center, w) = (Arc::clone(walls), square.center, coefficients[0]);
+            self.crowded.push(Crowded { square, walls, center, chart, w, slope, clear });
             return Some(Step::Open);
         }
         let count = self.accuracy.terms_needed(coefficients, self.accuracy.tolerance * slope.min(1.0))?;
@@ -201,11 +238,12 @@ impl Builder {
         let patch = &self.patches.list[index as usize];
         let slope = patch.typical_slope() * self.size;
         let top = patch.zone.point(Complex64::i());
-        let reach = patch.zone.reach;
+        let (reach, w) = (patch.zone.reach, patch.top());
         if !self.trusts(slope, top) {
             // Half as eligible as a square in the middle of the region.
             let clear = 0.5 * reach;
-            self.crowded.push(Crowded { square, walls: Rc::clone(walls), center: top, chart, slope, clear });
+            let walls = Arc::clone(walls);
+            self.crowded.push(Crowded { square, walls, center: top, chart, w, slope, clear });
             return Some(Step::Open);
         }
         Some(Step::Leaf(Leaf::Patch(index).into()))

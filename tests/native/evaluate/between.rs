@@ -134,7 +134,8 @@ fn the_far_room_of_the_neck_and_the_far_end_of_the_rectangle() {
         }
     }
     let from = c(2.2, 0.3);
-    assert!((map.forward(&map.inverse(&[from]))[0] - from).norm() < 1e-8);
+    let away = (map.forward(&map.inverse(&[from]))[0] - from).norm();
+    assert!(away < 1e-8, "{away:e}");
 }
 
 /// A room of ordinary size has a far end for image: what is told apart there is what its numbers tell apart.
