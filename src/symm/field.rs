@@ -12,7 +12,8 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Field {
     system: Arc<System>,
-    source: Source,
+    /// G.
+    pub source: Source,
     /// cⱼ.
     pub constants: Vec<f64>,
     correspondence: BoundaryCorrespondence,

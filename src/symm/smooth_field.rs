@@ -15,7 +15,8 @@ use std::sync::Arc;
 pub struct SmoothField {
     system: Arc<SmoothSystem>,
     bounded: bool,
-    source: Source,
+    /// G.
+    pub source: Source,
     charges: Vec<f64>,
     /// cⱼ.
     pub constants: Vec<f64>,

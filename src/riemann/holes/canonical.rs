@@ -33,6 +33,12 @@ pub struct Canonical {
 const MOST_STEPS: usize = 80;
 /// What is left of k when Newton's method has converged as far as it can.
 const REACHED: f64 = 1e-10;
+/// Below this a step that does not come nearer ends it,
+const SATISFIED: f64 = 1e-13;
+/// and below this nothing more is to be had.
+const ROUNDING: f64 = 2e-16;
+/// How often a step is shortened.
+const MOST_TRIALS: usize = 12;
 /// Seeds that are tried.
 const CANDIDATES: usize = 6;
 /// Steps on the straight way from a seed, if Newton's method alone does not find it.
@@ -59,7 +65,7 @@ impl Canonical {
 
     /// (k, k') at a point; `None` outside the closed domain.
     fn key(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
-        let (value, slope) = self.field.at(z)?;
+        let (value, slope) = self.field.fast(z)?;
         Some((self.form.factor * value + self.form.shift, self.form.factor * slope))
     }
 
@@ -146,7 +152,8 @@ impl Canonical {
                 step = Complex64::new(1e-9 * self.size(), 0.0);
             }
             let mut moved = None;
-            for _ in 0..12 {
+            // What is as good as it can be is not worth many trials.
+            for _ in 0..if miss.norm() <= SATISFIED { 1 } else { MOST_TRIALS } {
                 let next = self.inside(z + step);
                 if let Some((key, slope)) = self.key(next) {
                     let next_miss = self.miss(key, target);
@@ -160,7 +167,7 @@ impl Canonical {
             let Some((next, next_miss, next_slope)) = moved else { break };
             let length = (next - z).norm();
             (z, miss, slope) = (next, next_miss, next_slope);
-            if miss == Complex64::ZERO || length <= 1e-16 * self.size() {
+            if miss.norm() <= ROUNDING || length <= 1e-16 * self.size() {
                 break;
             }
         }

@@ -1,5 +1,6 @@
 //! The analytic function that a problem gives, in plane units.
 
+use super::cells::Cells;
 use crate::plane::{BoundaryPoint, Complex64, Domain, DomainPoint};
 use crate::symm::field::Field;
 use crate::symm::smooth_field::SmoothField;
@@ -12,6 +13,7 @@ pub struct DomainField {
     origin: Complex64,
     unit: f64,
     kind: Kind,
+    cells: Arc<Cells>,
 }
 
 /// What it was solved on.
@@ -25,7 +27,13 @@ pub enum Kind {
 
 impl DomainField {
     pub(super) fn new(domain: Arc<Domain>, origin: Complex64, unit: f64, kind: Kind) -> Self {
-        Self { domain, origin, unit, kind }
+        let source = match &kind {
+            Kind::Polygons(field) => field.source,
+            Kind::Smooth(field) => field.source,
+        };
+        let singular = source.singularities().into_iter().map(|z| z / unit + origin).collect();
+        let cells = Arc::new(Cells::new(&domain, singular));
+        Self { domain, origin, unit, kind, cells }
     }
 
     /// The domain.
@@ -49,9 +57,17 @@ impl DomainField {
         if let Some(point) = self.domain.on_boundary(z) {
             return Some(self.on_boundary(point));
         }
-        if !self.domain.contains(z) {
-            return None;
-        }
+        self.domain.contains(z).then(|| self.directly(z))
+    }
+
+    /// [`DomainField::at`] by power series where they serve: the same up to rounding, but for the branch of B.
+    #[must_use]
+    pub fn fast(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        self.cells.at(&self.domain, z, &|z| self.directly(z)).or_else(|| self.at(z))
+    }
+
+    /// (B, B') at a point inside.
+    fn directly(&self, z: Complex64) -> (Complex64, Complex64) {
         let scaled = (z - self.origin) * self.unit;
         let (value, slope) = match &self.kind {
             Kind::Smooth(field) => field.at(scaled),
@@ -60,7 +76,7 @@ impl DomainField {
                 field.at(scaled, (edge, t))
             }
         };
-        Some((value, slope * self.unit))
+        (value, slope * self.unit)
     }
 
     /// (B, B') at a point of the boundary.

@@ -143,7 +143,7 @@ impl PotentialFlow {
     }
 
     fn slope(&self, z: Complex64) -> Option<Complex64> {
-        self.field.at(z).map(|(_, slope)| self.factor * slope)
+        self.field.fast(z).map(|(_, slope)| self.factor * slope)
     }
 
     /// The lift of all bodies a unit of span, by Kutta and Joukowski: −ρUΓ at right angles to the wind, for density ρ.

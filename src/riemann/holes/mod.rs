@@ -5,6 +5,7 @@
 
 mod annulus;
 mod canonical;
+mod cells;
 mod electrostatics;
 mod exterior;
 mod field;

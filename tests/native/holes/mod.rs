@@ -1,6 +1,7 @@
 //! Regions with holes, and the outside of bodies.
 
 mod annulus;
+mod estimate;
 mod exterior;
 mod flow;
 mod slits;
