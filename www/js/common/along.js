@@ -1,6 +1,7 @@
 // What goes along from page to page: links between the pages, own photos to forget.
 
 import { forgetOwn, ownPictures } from "./images.js";
+import { workOffline } from "./offline.js";
 import { attempt, remark } from "./page.js";
 
 /** What goes along: the fields of a drawing, or of a photo alone; none where they are as at first. @typedef {Record<string, string>} Fields */
@@ -51,6 +52,7 @@ export function goAlong(fields) {
     for (const event of ["pointerdown", "focus", "click"]) link.addEventListener(event, lead);
   }
   offerToForget();
+  workOffline();
 }
 
 function offerToForget() {
