@@ -75,7 +75,7 @@ test("a link in the text changes what it says and keeps the edited region", asyn
   const edited = await disk(page);
   const address = await hash(page);
   await page.locator('a[href="#show=grid"]').click();
-  await page.waitForFunction(() => document.getElementById("grid")?.getAttribute("aria-pressed") === "true");
+  await page.waitForFunction(() => /** @type {HTMLInputElement | null} */ (document.getElementById("grid"))?.checked);
   assert.equal(await hash(page), `${address}&show=grid`);
   await settled(page, "ready");
   assert.equal((await disk(page)).digest, edited.digest);

@@ -222,5 +222,7 @@ export class Editor {
 /** Which part of the region an element is. @param {EventTarget | null} target */
 export function partOf(target) {
   const element = target instanceof Element ? /** @type {SVGElement | null} */ (target.closest("[data-part]")) : null;
-  return { part: element?.dataset.part, index: Number(element?.dataset.index ?? -1) };
+  const part = element?.dataset.part;
+  // The handle in the middle of an edge is taken for the edge.
+  return { part: part === "middle" ? "edge" : part, index: Number(element?.dataset.index ?? -1) };
 }

@@ -128,7 +128,7 @@ const LONG_EDGE = 52;
 
 /** @param {number} edge */
 function newMiddle(edge) {
-  return svg("g", { class: "middle", "data-part": "edge", "data-index": edge, "aria-hidden": "true" }, [svg("circle", { class: "reach" }), svg("path", { d: "M-3.5 0h7M0 -3.5v7" })]);
+  return svg("g", { class: "middle", "data-part": "middle", "data-index": edge, "aria-hidden": "true" }, [svg("circle", { class: "reach" }), svg("path", { d: "M-3.5 0h7M0 -3.5v7" })]);
 }
 
 /** @param {number} index */
