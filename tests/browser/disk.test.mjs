@@ -169,14 +169,14 @@ test("the page answers while its worker solves", async () => {
   const { page, errors, close } = await openPage(session);
   const seen = await page.evaluate(async () => {
     const shape = /** @type {HTMLSelectElement} */ (document.getElementById("choose-shape"));
-    const mesh = /** @type {HTMLButtonElement} */ (document.getElementById("mesh"));
+    const mesh = /** @type {HTMLInputElement} */ (document.getElementById("mesh"));
     shape.value = "coast";
     shape.dispatchEvent(new Event("change"));
     const state = document.body.dataset.state;
     mesh.click();
-    return { state, pressed: mesh.getAttribute("aria-pressed"), points: document.querySelectorAll(".vertex").length };
+    return { state, shown: mesh.checked, points: document.querySelectorAll(".vertex").length };
   });
-  assert.deepEqual(seen, { state: "working", pressed: "true", points: 100 });
+  assert.deepEqual(seen, { state: "working", shown: true, points: 100 });
   await settled(page, "ready");
   assert.equal((await disk(page)).thinnestInside, 255);
   await screenshot(page, "coast");
