@@ -4,6 +4,7 @@ use super::graph::{Graph, NodeId};
 use super::names::{Call, Loop};
 use super::operation::{Analytic, Binary, Unary};
 use super::parser::Step;
+use super::special::Special;
 use crate::plane::Complex64;
 use crate::{Error, Result};
 use std::f64::consts::{LN_10, TAU};
@@ -40,6 +41,8 @@ impl Expansion {
             if let Step::Loop { kind, body, positions } = step {
                 self.repeat(kind, &steps[at..at + body], positions)?;
                 at += body;
+            } else if let Step::Special(special, arguments, position) = step {
+                self.special(special, arguments, position)?;
             } else {
                 self.step(step);
             }
@@ -75,7 +78,7 @@ impl Expansion {
                 self.graph.binary(operation, a, b)
             }
             Step::Call(call, arguments) => self.call(call, arguments),
-            Step::Loop { .. } => return,
+            Step::Loop { .. } | Step::Special(..) => return,
         };
         self.stack.push(node);
     }
@@ -123,9 +126,25 @@ impl Expansion {
                 });
                 self.turned(power, half_turns)
             }
-            // Loops are steps of their own.
-            Call::Loop(_) => self.pop(),
+            // These are steps of their own.
+            Call::Loop(_) | Call::Special(_) => self.pop(),
         }
+    }
+
+    /// A function whose parameter must not depend on z; it is 0 where it is left out.
+    fn special(&mut self, special: Special, arguments: usize, position: usize) -> Result<()> {
+        let last = if arguments == 1 { self.graph.constant(Complex64::ZERO) } else { self.pop() };
+        let first = self.pop();
+        let (parameter, variable) = if special.place_of_parameter() == 0 { (first, last) } else { (last, first) };
+        let refused = |found| Err(Error::Syntax { position, expected: special.expected().into(), found });
+        match self.graph.constant_at(parameter) {
+            Some(value) if !special.accepts(value) => return refused(format!("{value}")),
+            None if self.graph.depends_on_variable(parameter) => return refused("a varying value".into()),
+            _ => {}
+        }
+        let node = self.graph.binary(Binary::Special(special), parameter, variable);
+        self.stack.push(node);
+        Ok(())
     }
 
     /// value · e^{iπ·half_turns}

@@ -28,6 +28,8 @@ pub enum Node {
 pub struct Graph {
     nodes: Vec<Node>,
     known: BTreeMap<Node, NodeId>,
+    /// Whether each node depends on z.
+    varies: Vec<bool>,
 }
 
 impl Graph {
@@ -42,6 +44,11 @@ impl Graph {
             Node::Constant(re, im) => Some(Complex64::new(f64::from_bits(re), f64::from_bits(im))),
             _ => None,
         }
+    }
+
+    /// Whether a node's value is another at another z.
+    pub fn depends_on_variable(&self, id: NodeId) -> bool {
+        self.varies[id]
     }
 
     /// The node of a number.
@@ -122,6 +129,12 @@ impl Graph {
         let next = self.nodes.len();
         let id = *self.known.entry(node).or_insert(next);
         if id == next {
+            self.varies.push(match node {
+                Node::Variable => true,
+                Node::Constant(..) | Node::Parameter(_) => false,
+                Node::Unary(_, a) => self.varies[a],
+                Node::Binary(_, a, b) => self.varies[a] || self.varies[b],
+            });
             self.nodes.push(node);
         }
         id

@@ -133,6 +133,8 @@ impl Lexer {
             '^' => Token::Power,
             '\u{304}' | '\u{305}' => Token::Overline,
             '√' => Token::Root,
+            // A letter to mathematicians, not to Unicode.
+            '℘' => Token::Word(c.into()),
             '(' | '[' => Token::Open,
             ')' | ']' => Token::Close,
             '|' | '∣' => Token::Bar,

@@ -13,6 +13,7 @@ mod operation;
 mod parser;
 mod program;
 mod run;
+mod special;
 
 use crate::map::{Jet, PlaneMap};
 use crate::plane::Complex64;
@@ -29,6 +30,10 @@ use program::Program;
 ///   before the name; `gamma`; `conj re im arg abs`.
 /// - `x` and `y` are re(z) and im(z), `Z` is z and `I` is i, unless a parameter has the name; `f(z) =` may stand before
 ///   all. `sin z`, `sin 2πz` and `sin²(z)` are read as in textbooks.
+/// - `erf`, `erfc`; `zeta`; `lambertw(z)` and `lambertw(z, k)`, the branches of Lambert's W; `besselj(n, z)`, |n| ≤ 500;
+///   Jacobi's `sn(z, k)`, `cn(z, k)`, `dn(z, k)` of modulus k, where some have m = k²; Weierstrass's `wp(z, t)` or `℘(z, t)`
+///   of the lattice with periods 1 and t, and `wpp`, its derivative. Branch, order, modulus and lattice may be parameters,
+///   but must not depend on z; a parameter that is not whole, where it must be, leaves the map undefined.
 /// - `log10`; `sinc(z)` = sin z / z; `floor`, of both parts; `mod(z, m)` = z − m floor(z/m).
 /// - Branches: `log(z, k)` = log z + 2πik, `sqrt(z, k)` = e^{iπk} √z, `pow(z, a, k)` = e^{2πiak} z^a.
 /// - `sum(n, 1, 10, z^n/n)`, `prod(n, from, to, …)` and `iterate(w, z, 8, w^2 + z)`, whose bounds are whole numbers.

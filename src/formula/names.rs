@@ -1,6 +1,8 @@
 //! The names that every formula knows.
 
+use super::functions::Jacobi;
 use super::operation::{Analytic, Real, Unary};
+use super::special::Special;
 use crate::plane::Complex64;
 use std::f64::consts::{E, PI, TAU};
 
@@ -41,11 +43,12 @@ pub enum Fallback {
 }
 
 /// Every function's usual name.
-pub const FUNCTIONS: [&str; 46] = [
+pub const FUNCTIONS: [&str; 56] = [
     "exp", "log", "ln", "log10", "sqrt", "pow", "sin", "cos", "tan", "sec", "csc", "cot", "sinh", "cosh", "tanh",
     "sech", "csch", "coth", "asin", "acos", "atan", "asec", "acsc", "acot", "asinh", "acosh", "atanh", "asech",
     "acsch", "acoth", "gamma", "sinc", "floor", "mod", "conj", "re", "im", "abs", "arg", "sum", "prod", "iterate",
-    "arcsin", "arccos", "arctan", "product",
+    "arcsin", "arccos", "arctan", "product", "erf", "erfc", "zeta", "lambertw", "besselj", "sn", "cn", "dn", "wp",
+    "wpp",
 ];
 
 /// The function that a misspelt name may mean: one that differs by a letter, or by two that changed places.
@@ -87,6 +90,8 @@ pub enum Call {
     LogTen,
     /// `mod(z, m)` = z − m floor(z/m).
     Modulo,
+    /// `lambertw(z)`, `lambertw(z, k)`, `besselj(n, z)`, `sn(z, k)`, `wp(z, τ)` and their kin.
+    Special(Special),
     /// `name(n, from, to, body)` or `iterate(w, start, count, body)`.
     Loop(Loop),
 }
@@ -107,7 +112,8 @@ impl Call {
     pub fn arguments(self) -> (usize, usize) {
         match self {
             Self::Unary(_) | Self::LogTen => (1, 1),
-            Self::Modulo => (2, 2),
+            Self::Special(Special::LambertW) => (1, 2),
+            Self::Modulo | Self::Special(_) => (2, 2),
             Self::Log | Self::Sqrt => (1, 2),
             Self::Power => (2, 3),
             Self::Loop(_) => (4, 4),
@@ -147,6 +153,9 @@ pub fn function(name: &str) -> Option<Call> {
         "acoth" | "arcoth" | "arccoth" => Acoth,
         "gamma" => Gamma,
         "sinc" => Sinc,
+        "erf" => Erf,
+        "erfc" => Erfc,
+        "zeta" => Zeta,
         "floor" => Floor,
         // A small gamma is free to be a parameter.
         "γ" if name == "Γ" => Gamma,
@@ -156,6 +165,7 @@ pub fn function(name: &str) -> Option<Call> {
 }
 
 fn other_function(lower: &str) -> Option<Call> {
+    let special = |special| Some(Call::Special(special));
     let real = |real| Some(Call::Unary(Unary::Real(real)));
     match lower {
         "re" => real(Real::Part),
@@ -166,6 +176,13 @@ fn other_function(lower: &str) -> Option<Call> {
         "log" | "ln" => Some(Call::Log),
         "log10" | "lg" => Some(Call::LogTen),
         "mod" => Some(Call::Modulo),
+        "lambertw" => special(Special::LambertW),
+        "besselj" => special(Special::BesselJ),
+        "sn" => special(Special::Jacobi(Jacobi::Sn)),
+        "cn" => special(Special::Jacobi(Jacobi::Cn)),
+        "dn" => special(Special::Jacobi(Jacobi::Dn)),
+        "wp" | "℘" => special(Special::Weierstrass),
+        "wpp" => special(Special::WeierstrassPrime),
         "sqrt" => Some(Call::Sqrt),
         "pow" => Some(Call::Power),
         "sum" => Some(Call::Loop(Loop::Sum)),

@@ -1,6 +1,7 @@
 //! The operations that a compiled formula is made of.
 
 use super::functions::{self, ValueAndSlope};
+use super::special::Special;
 use crate::plane::Complex64;
 
 /// An analytic function of one variable.
@@ -37,6 +38,9 @@ pub enum Analytic {
     Acoth,
     Gamma,
     Sinc,
+    Erf,
+    Erfc,
+    Zeta,
     /// The whole number below, of both parts: constant but where it jumps.
     Floor,
 }
@@ -75,6 +79,9 @@ impl Analytic {
             Self::Acoth => functions::acoth,
             Self::Gamma => functions::gamma,
             Self::Sinc => functions::sinc,
+            Self::Erf => functions::erf,
+            Self::Erfc => functions::erfc,
+            Self::Zeta => functions::zeta,
             Self::Floor => functions::floor,
         }
     }
@@ -148,6 +155,8 @@ pub enum Binary {
     Multiply,
     Divide,
     Power,
+    /// f(b) for the parameter a, which does not depend on z.
+    Special(Special),
 }
 
 impl Binary {
@@ -159,6 +168,7 @@ impl Binary {
             Self::Multiply => a * b,
             Self::Divide => functions::divide(a, b),
             Self::Power => functions::pow(a, b),
+            Self::Special(special) => special.value(a, b),
         }
     }
 

@@ -16,6 +16,7 @@
 use super::lexer::{Placed, Token, tokens};
 use super::names::{self, Call, Fallback, Loop};
 use super::operation::{Binary, Real, Unary};
+use super::special::Special;
 use crate::plane::Complex64;
 use crate::{Error, Result};
 
@@ -39,6 +40,8 @@ pub enum Step {
     Binary(Binary),
     /// Replaces the arguments.
     Call(Call, usize),
+    /// Replaces one argument, or the two of which one is the parameter, at that place in the text.
+    Special(Special, usize, usize),
     /// Pops the two bounds (or start and count) and runs the `body` next steps repeatedly.
     Loop {
         /// Which one.
@@ -86,6 +89,14 @@ pub fn parameters(text: &str) -> Result<Vec<String>> {
     let mut used = used.into_iter();
     names.retain(|_| used.next().unwrap_or_default());
     Ok(names)
+}
+
+/// The step of a function whose arguments stand at those places.
+fn applied(call: Call, count: usize, positions: [usize; 3]) -> Step {
+    match call {
+        Call::Special(special) => Step::Special(special, count, positions[special.place_of_parameter()]),
+        _ => Step::Call(call, count),
+    }
 }
 
 /// Binding powers, weakest first.
@@ -324,8 +335,9 @@ impl Parser<'_> {
             self.bars = outside;
             self.require(&Token::Close, "an operator or “)”")?;
         } else if call.arguments().0 == 1 && self.starts_bare_argument() {
+            let position = self.position();
             self.bare_argument()?;
-            self.push(Step::Call(call, 1));
+            self.push(applied(call, 1, [position; 3]));
         } else {
             return Err(self.expected(format!("“(” after {word}")));
         }
@@ -402,7 +414,9 @@ impl Parser<'_> {
     fn arguments(&mut self, call: Call) -> Result<()> {
         let (fewest, most) = call.arguments();
         let mut count = 0;
+        let mut positions = [0; 3];
         loop {
+            positions[count] = self.position();
             self.expression(Power::Sum)?;
             count += 1;
             if count == most || *self.peek() != Token::Comma {
@@ -413,7 +427,7 @@ impl Parser<'_> {
         if count < fewest {
             return Err(self.expected("“,” and another argument"));
         }
-        self.push(Step::Call(call, count));
+        self.push(applied(call, count, positions));
         Ok(())
     }
 

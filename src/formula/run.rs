@@ -170,6 +170,11 @@ fn binary<const D: usize>(operation: Binary, a: Operand, b: Operand, target: &mu
         }
         (Binary::Divide, a, b) => quotient::<D>(a, b, target, slopes),
         (Binary::Power, a, b) => power::<D>(a, b, target, slopes),
+        (Binary::Special(special), Fixed(parameter), Varying(b)) => {
+            apply::<D>(b, target, slopes, special.function(parameter));
+        }
+        // A parameter that depends on z was refused.
+        (Binary::Special(_), Varying(_), _) => {}
     }
 }
 

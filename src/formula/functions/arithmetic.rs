@@ -20,6 +20,19 @@ pub fn without_signed_zeros(z: Complex64) -> Complex64 {
     Complex64::new(z.re + 0.0, z.im + 0.0)
 }
 
+/// The product of two numbers below 1e150 and its rounding error: T. J. Dekker, *A floating-point technique for extending
+/// the available precision* (1971).
+pub fn product_in_two(a: f64, b: f64) -> (f64, f64) {
+    let halves = |x: f64| {
+        let scaled = 134_217_729.0 * x;
+        let high = scaled - (scaled - x);
+        (high, x - high)
+    };
+    let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));
+    let product = a * b;
+    (product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low)
+}
+
 /// a / b, scaled so that nothing overflows on the way. x / 0 is infinite and x / ∞ is 0, as on the Riemann sphere.
 pub fn divide(a: Complex64, b: Complex64) -> Complex64 {
     let largest = b.re.abs().max(b.im.abs());

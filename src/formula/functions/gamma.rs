@@ -91,11 +91,15 @@ fn reflected(z: Complex64) -> (Complex64, Complex64) {
     (divide(Complex64::new(PI, 0.0), sin * gamma), psi - PI * divide(cos, sin))
 }
 
-/// The same through logarithms: sin(πz) and Γ(1 − z) may be out of range although their product is not.
+/// log Γ(z), up to a multiple of 2πi, and ψ(z) for Re z ≥ ½.
+pub(super) fn log_gamma_and_digamma(z: Complex64) -> (Complex64, Complex64) {
+    let (far, product, sum) = shift(z);
+    (log_gamma_far(far) - log_value(product), digamma_far(far) - sum)
+}
+
+/// Reflection through logarithms: sin(πz) and Γ(1 − z) may be out of range although their product is not.
 fn reflected_far(z: Complex64, mirrored: Complex64) -> (Complex64, Complex64) {
-    let (far, product, sum) = shift(mirrored);
-    let psi = digamma_far(far) - sum;
-    let log_gamma = log_gamma_far(far) - log_value(product);
+    let (log_gamma, psi) = log_gamma_and_digamma(mirrored);
     if z.im.abs() > 30.0 {
         // sin πz = ½ e^{π|y|} e^{∓i(πx − π/2)} to the last digit, and cot πz = ∓i.
         let upper = z.im > 0.0;

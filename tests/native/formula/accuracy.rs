@@ -58,6 +58,31 @@ fn functions_agree_with_mpmath() {
     }
 }
 
+/// A function of the table special.json, which special.py writes.
+#[derive(Deserialize)]
+struct Special {
+    name: String,
+    tolerance: f64,
+    /// z, value, derivative; then the sizes that errors of the two are relative to.
+    rows: Vec<[f64; 8]>,
+}
+
+#[test]
+fn special_functions_agree_with_mpmath() {
+    let tables: Vec<Special> =
+        serde_json::from_str(include_str!("../../fixtures/formula/special.json")).expect("the fixtures are JSON");
+    for Special { name, tolerance, rows } in tables {
+        let map = FormulaMap::new(&name).unwrap();
+        for row in rows {
+            let (z, jet) = (complex(&row, 0), map.jet(complex(&row, 0)));
+            for (found, expected, size) in [(jet.value, complex(&row, 1), row[6]), (jet.dz, complex(&row, 2), row[7])] {
+                let error = (found - expected).norm() / size;
+                assert!(error <= tolerance, "{name} at {z}: {found:e} is not {expected:e}, wrong by {error:e}");
+            }
+        }
+    }
+}
+
 /// Scales of 1e±300, the neighbourhoods of poles and branch points, both sides of cuts.
 #[test]
 fn functions_agree_with_mpmath_where_numbers_end() {

@@ -155,6 +155,34 @@ fn errors_have_a_place_and_an_expectation() {
 }
 
 #[test]
+fn special_functions_have_a_parameter_without_z() {
+    let order = "a whole number up to 500, the order, that does not depend on z";
+    for (text, position, expected, found) in [
+        ("besselj(z, 2)", 8, order, "a varying value"),
+        ("1 + besselj(0.5, z)", 12, order, "0.5+0i"),
+        ("besselj(501, z)", 8, order, "501+0i"),
+        ("iterate(w, z, 2, besselj(w, z))", 25, order, "a varying value"),
+        ("lambertw(z, i)", 12, "a whole number, the branch, that does not depend on z", "0+1i"),
+        ("sn(z, 2z)", 6, "a modulus that does not depend on z", "a varying value"),
+        ("wp(z, 2)", 6, "a ratio of periods that is not real and does not depend on z", "2+0i"),
+        ("wp(z)", 4, "“,” and another argument", "“)”"),
+        ("besselj z", 8, "“(” after besselj", "“z”"),
+    ] {
+        assert_eq!(syntax(text), (position, expected.to_string(), found.to_string()), "{text}");
+    }
+    assert_eq!(value("lambertw z"), value("lambertw(z, 0)"));
+    assert_eq!(value("℘(z, i)"), value("wp(z, 2i/2)"));
+    assert_eq!(value("sum(n, 1, 2, besselj(n, z))"), value("besselj(1, z) + besselj(2, z)"));
+    // A parameter moves without another program, and an order that is not whole has no value.
+    let mut map = FormulaMap::with_params("besselj(n, z)", &[("n", Complex64::ONE)]).unwrap();
+    assert_eq!(map.eval(&[Z])[0], value("besselj(1, z)"));
+    map.set_param("n", Complex64::new(4.0, 0.0)).unwrap();
+    assert_eq!(map.eval(&[Z])[0], value("besselj(4, z)"));
+    map.set_param("n", Complex64::new(4.5, 0.0)).unwrap();
+    assert!(map.eval(&[Z])[0].is_nan() && map.is_analytic());
+}
+
+#[test]
 fn positions_are_those_of_javascript() {
     let params = [("𝜏", Complex64::ONE)];
     let Err(Error::Syntax { position, expected, .. }) = FormulaMap::with_params("2𝜏 + blub", &params) else {

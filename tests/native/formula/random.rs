@@ -7,6 +7,26 @@ const ANALYTIC: &[&str] = &[
     "exp", "log", "sqrt", "sin", "cos", "tan", "sec", "csc", "cot", "sinh", "cosh", "tanh", "sech", "csch", "coth",
     "asin", "acos", "atan", "asec", "acsc", "acot", "asinh", "acosh", "atanh", "asech", "acsch", "acoth", "gamma",
 ];
+/// Special functions, around an argument @.
+const SPECIAL: &[&str] = &[
+    "sinc(@)",
+    "erf(@)",
+    "erfc(@)",
+    "lambertw(@)",
+    "lambertw(@, -1)",
+    "lambertw(@, 2)",
+    "besselj(0, @)",
+    "besselj(-3, @)",
+    "besselj(20, 9(@))",
+    "zeta(@)",
+    "zeta(-5(@))",
+    "sn(@, 0.8)",
+    "cn(@, t)",
+    "dn(2(@), 3t)",
+    "wp(@, i)",
+    "℘(@, t)",
+    "wpp(@, 1/t)",
+];
 const REAL: &[&str] = &["conj", "re", "im", "abs", "arg"];
 
 /// A formula of that depth at most. `smooth` ones are analytic.
@@ -91,6 +111,53 @@ fn derivatives_agree_with_differences() {
 }
 
 #[test]
+fn derivatives_of_special_functions_agree_with_differences() {
+    let mut random = Random::new(4);
+    for template in SPECIAL {
+        let mut judged = 0;
+        for _ in 0..60 {
+            let text = template.replace('@', &formula(&mut random, 2, true));
+            judged += judge(&text, &mut random);
+        }
+        assert!(judged > 60, "{template}: only {judged} of 240 points could be judged");
+    }
+}
+
+/// Sizes from 1e-300 to 1e300, infinities, parameters of every kind: a number or none, in bounded time.
+#[test]
+fn special_functions_bear_every_number() {
+    let numbers =
+        [0.0, -0.0, 1.0, -1.0, 0.5, 2.0, -7.0, 30.0, 499.0, 1e-300, 1e-9, 1e4, -1e6, 1e17, 1e155, 1e300, f64::MAX];
+    let mut random = Random::new(5);
+    for template in [
+        "lambertw(@, t)",
+        "besselj(t, @)",
+        "sn(@, t)",
+        "cn(@, t)",
+        "dn(@, t)",
+        "wp(@, t)",
+        "wpp(@, t)",
+        "erf(@) erfc(@)",
+        "zeta(@)",
+    ] {
+        let mut map = FormulaMap::with_params(&template.replace('@', "z"), &[("t", Complex64::ONE)])
+            .or_else(|_| FormulaMap::new(&template.replace('@', "z")))
+            .unwrap();
+        for _ in 0..300 {
+            let mut one = || numbers[random.below(numbers.len())];
+            let mut number = || Complex64::new(one(), one());
+            let (parameter, z) = (number(), number());
+            if map.params().next().is_some() {
+                map.set_param("t", parameter).unwrap();
+            }
+            let jet = map.jet(z);
+            assert!(jet.value.is_finite() || jet.value.is_nan(), "{template} at {z} for t = {parameter}");
+            assert!(!map.jet(Complex64::new(f64::INFINITY, 0.0)).value.is_infinite());
+        }
+    }
+}
+
+#[test]
 fn every_text_gives_a_map_or_a_place() {
     let pieces = [
         "z",
@@ -132,10 +199,12 @@ fn every_text_gives_a_map_or_a_place() {
         "[",
         "]",
         "γ",
+        "℘(",
+        "besselj(2,",
     ];
     let mut random = Random::new(3);
     let mut compiled = 0;
-    for _ in 0..30_000 {
+    for _ in 0..35_000 {
         let text: String = (0..=random.below(12)).map(|_| random.pick(&pieces)).collect();
         match FormulaMap::with_params(&text, &[("t", Complex64::I)]) {
             Ok(map) => {
