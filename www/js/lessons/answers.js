@@ -5,7 +5,6 @@ import { flatten, unflatten } from "../common/frame.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
-/** @typedef {{ id: string, pixels: Uint8ClampedArray, frame: Frame }} Known a picture that questions name by its id */
 /** @typedef {{ boundary: Point[], center: Point, toward: Point, tolerance?: number }} Shape */
 /**
  * @typedef {{ what: "images", formula: string, lines: Point[][], at?: Point[] }} ImagesQuestion
@@ -22,7 +21,7 @@ import { flatten, unflatten } from "../common/frame.js";
 /** @type {Map<string, { texture: Texture, frame: Frame }>} */
 const pictures = new Map();
 
-/** @param {Known} picture */
+/** @param {import("../common/answering.js").Known} picture */
 export function know({ id, pixels, frame }) {
   pictures.get(id)?.texture.free();
   pictures.set(id, { texture: new Texture(pixels, ...frame.pixels), frame });

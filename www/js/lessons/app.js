@@ -1,11 +1,11 @@
 // The page of lessons: each figure comes to life when it is about to be seen.
 
-import { Courier } from "./courier.js";
+import { Courier } from "../common/courier.js";
 import { Place } from "./place.js";
 import { watchErrors, wordsOf } from "../common/page.js";
 
 watchErrors();
-const courier = new Courier();
+const courier = new Courier(new URL("worker.js", import.meta.url));
 
 /** @param {HTMLElement} figure */
 async function enliven(figure) {

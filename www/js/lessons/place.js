@@ -1,7 +1,7 @@
 // A figure's place on the page: its boards, its controls, its reading, and its way to the worker.
 
 /** @typedef {import("./board.js").Board} Board */
-/** @typedef {import("./courier.js").Courier} Courier */
+/** @typedef {import("../common/courier.js").Courier} Courier */
 
 export class Place {
   #figure;

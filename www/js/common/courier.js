@@ -1,7 +1,7 @@
-// Questions of the figures to one worker: of each figure the newest waits, the others are forgotten.
+// Questions to one worker: of each asker the newest waits, the others are forgotten.
 
-/** @typedef {import("../common/images.js").Picture} Picture */
-/** @typedef {{ figure: string, question: any, resolve: (answer: any) => void, reject: (error: Error) => void }} Letter */
+/** @typedef {import("./images.js").Picture} Picture */
+/** @typedef {{ asker: string, question: any, resolve: (answer: any) => void, reject: (error: Error) => void }} Letter */
 
 /** A worker that ends unexpectedly is tried again so often in a row. */
 const TRIES = 3;
@@ -13,16 +13,22 @@ export class Courier {
   /** @type {Map<string, Picture>} */ #pictures = new Map();
   /** Pictures that the worker has. @type {Set<string>} */ #handed = new Set();
   #failures = 0;
+  #script;
+
+  /** @param {URL} script of the worker */
+  constructor(script) {
+    this.#script = script;
+  }
 
   /**
-   * What the worker answers; null where a newer question of the same figure has taken its place.
-   * @param {string} figure @param {any} question @returns {Promise<any>}
+   * What the worker answers; null where a newer question of the same asker has taken its place.
+   * @param {string} asker @param {any} question @returns {Promise<any>}
    */
-  ask(figure, question) {
+  ask(asker, question) {
     return new Promise((resolve, reject) => {
-      const older = this.#waiting.findIndex((letter) => letter.figure === figure);
+      const older = this.#waiting.findIndex((letter) => letter.asker === asker);
       if (older >= 0) this.#waiting.splice(older, 1)[0].resolve(null);
-      this.#waiting.push({ figure, question, resolve, reject });
+      this.#waiting.push({ asker, question, resolve, reject });
       this.#next();
     });
   }
@@ -33,7 +39,7 @@ export class Courier {
   }
 
   #start() {
-    const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+    const worker = new Worker(this.#script, { type: "module" });
     worker.onmessage = ({ data }) => this.#receive(data);
     worker.onerror = (event) => {
       event.preventDefault();
@@ -75,7 +81,7 @@ export class Courier {
     const letter = this.#out;
     this.#out = null;
     if (letter && ++this.#failures < TRIES) this.#waiting.unshift(letter);
-    else letter?.reject(new Error(`The figure could not be computed: ${why}. Reload the page to try again.`));
+    else letter?.reject(new Error(`It could not be computed: ${why}. Reload the page to try again.`));
     this.#next();
   }
 }

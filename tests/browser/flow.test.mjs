@@ -1,0 +1,146 @@
+// The page of flows: lift where there is some, none where there is none; turning, drawing, loading, keeping.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { naca } from "../../www/js/flow/bodies.js";
+import { drag, openPage, screenshot, settled, startBrowser } from "./support/page.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof startBrowser>>} */
+let session;
+before(async () => {
+  session = await startBrowser();
+});
+after(() => session.close());
+
+const reading = (/** @type {Page} */ page) => page.locator("#reading").innerText();
+
+/** The circulation that the page reads. @param {Page} page */
+async function circulation(page) {
+  const [found] = (await reading(page)).replaceAll("−", "-").match(/-?\d+\.\d+/) ?? [];
+  return Number(found);
+}
+
+/** A sum over the picture without what moves. @param {Page} page */
+function picture(page) {
+  return page.evaluate(() => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("flow"));
+    const data = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
+    let digest = 0;
+    for (const value of data) digest = (Math.imul(digest, 31) + value) | 0;
+    return digest;
+  });
+}
+
+/** A point of the picture, in shares of its sides. @param {Page} page @param {number} x @param {number} y */
+async function at(page, x, y) {
+  const box = await page.locator("#flow").boundingBox();
+  if (!box) throw new Error("The picture is not on the page.");
+  return { x: box.x + x * box.width, y: box.y + y * box.height };
+}
+
+test("a wing is lifted by Kutta's circulation, as much as thin wings of its thickness are", async () => {
+  const { page, errors, close } = await openPage(session, "flow.html#body=symmetric&angle=4&show=lines");
+  // 2π(1 + 0.77 t) sin α is the exact lift of Joukowski's symmetric wings; a NACA wing of the same thickness is near it.
+  const expected = -0.5 * 2.2 * 2 * Math.PI * (1 + 0.77 * 0.12) * Math.sin((4 * Math.PI) / 180);
+  const found = await circulation(page);
+  assert.ok(Math.abs(found / expected - 1) < 0.03, `${found} for ${expected}`);
+  await page.locator("#angle").fill("0");
+  assert.match(await reading(page), /no lift/);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("a cylinder has no lift until the fluid turns around it, and the address keeps that", async () => {
+  const { page, errors, close } = await openPage(session, "flow.html#body=circle&show=pressure,lines");
+  assert.match(await reading(page), /no lift/);
+  assert.ok(await page.locator("#kutta").isDisabled(), "a cylinder has no edge");
+  const before = await picture(page);
+  await page.locator("#circulation").fill("-3");
+  assert.match(await reading(page), /Circulation −3\.00 .* lift 3\.6/);
+  assert.notEqual(await picture(page), before);
+  assert.match(page.url(), /circulation=-3/);
+  await page.reload();
+  await settled(page, "ready");
+  assert.equal(await circulation(page), -3);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("a drag turns the wind, specks move, and every body of the list is drawn", async () => {
+  const { page, errors, close } = await openPage(session, "flow.html");
+  const first = await circulation(page);
+  await drag(page, await at(page, 0.3, 0.6), await at(page, 0.3, 0.5));
+  assert.ok((await circulation(page)) < first, "the wind comes from further below");
+  const now = await picture(page);
+  await page.waitForTimeout(300);
+  assert.notEqual(await picture(page), now, "the specks stand still");
+  for (const name of await page.locator("#body option:not([hidden])").evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value))) {
+    await page.locator("#body").selectOption(name);
+    await page.waitForFunction((body) => location.hash.includes(`body=${body}`) && document.body.dataset.state === "ready", name);
+    assert.match(await reading(page), /Circulation/);
+    await screenshot(page, `flow-${name}`);
+  }
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("an airfoil comes from a file, and a body from a stroke; one that crosses itself is refused in words", async () => {
+  const { page, errors, close } = await openPage(session, "flow.html");
+  const columns = naca("2415", 1, [0, 0]).map(([x, y]) => `${x.toFixed(5)} ${y.toFixed(5)}`);
+  await page.locator("#file").setInputFiles({ name: "wing.dat", mimeType: "text/plain", buffer: Buffer.from(["NACA 2415", ...columns].join("\n")) });
+  await page.waitForFunction(() => location.hash.includes("outline="));
+  await settled(page, "ready");
+  assert.ok((await circulation(page)) < -0.5, await reading(page));
+  await page.locator("#draw").click();
+  const way = [[0.4, 0.5], [0.45, 0.35], [0.6, 0.4], [0.62, 0.55], [0.5, 0.65], [0.41, 0.52]];
+  const points = await Promise.all(way.map(([x, y]) => at(page, x, y)));
+  await page.mouse.move(points[0].x, points[0].y);
+  await page.mouse.down();
+  for (const { x, y } of points.slice(1)) await page.mouse.move(x, y, { steps: 4 });
+  await page.mouse.up();
+  await settled(page, "ready");
+  const drawn = page.url();
+  assert.match(drawn, /outline=/);
+  await page.locator("#draw").click();
+  const knot = await Promise.all([[0.3, 0.3], [0.6, 0.7], [0.6, 0.3], [0.3, 0.7], [0.3, 0.35]].map(([x, y]) => at(page, x, y)));
+  await page.mouse.move(knot[0].x, knot[0].y);
+  await page.mouse.down();
+  for (const { x, y } of knot.slice(1)) await page.mouse.move(x, y, { steps: 4 });
+  await page.mouse.up();
+  assert.match(await page.locator("#remark p").innerText(), /crosses itself/);
+  assert.equal(page.url(), drawn);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator("#draw").getAttribute("aria-pressed"), "false");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+for (const [address, words] of /** @type {const} */ ([
+  ["flow.html#body=toString", /“body=toString” must be one of wing/],
+  ["flow.html#angle=900", /“angle=900” must be from -30 to 30/],
+  ["flow.html#outline=1,2;3", /must be 3 to 400 points/],
+])) {
+  test(`${address}: said in words, and the rest is drawn`, async () => {
+    const { page, errors, close } = await openPage(session, address);
+    assert.match(await page.locator("#remark p").innerText(), words);
+    assert.match(await reading(page), /Circulation/);
+    assert.deepEqual(errors, []);
+    await close();
+  });
+}
+
+for (const [name, width, height, colorScheme] of /** @type {const} */ ([["phone", 390, 844, "light"], ["desktop", 1280, 720, "dark"], ["wide", 2560, 1300, "light"]])) {
+  test(`${name}, ${colorScheme}: the flow fits`, async () => {
+    const { page, errors, close } = await openPage(session, "flow.html", { viewport: { width, height }, colorScheme });
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+    assert.ok(overflow <= 0, `${overflow} pixels too wide`);
+    const bottom = await page.locator("#flow").evaluate((canvas) => canvas.getBoundingClientRect().bottom);
+    assert.ok(bottom <= height, "the picture is below the fold");
+    await page.waitForTimeout(1500);
+    await screenshot(page, `flow-${name}-${colorScheme}`);
+    assert.deepEqual(errors, []);
+    await close();
+  });
+}

@@ -1,0 +1,283 @@
+// The page of flows: bodies in the wind.
+
+import { bodies as ready, bodyOf, placed } from "./bodies.js";
+import { Particles } from "./particles.js";
+import { restingPoints } from "./resting.js";
+import { FlowView } from "./view.js";
+import { Wind } from "./wind.js";
+import { readState, writeState } from "./state.js";
+import { Courier } from "../common/courier.js";
+import { handOver } from "../common/saver.js";
+import { attempt, element, press, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
+import { contains, crossingEdges, simplify } from "../editor/geometry.js";
+
+/** @typedef {import("../common/frame.js").Point} Point */
+/** @typedef {import("./bodies.js").Bodies} Bodies */
+/** @typedef {import("./answers.js").Basis} Basis */
+/** @typedef {import("./answers.js").Grid} Grid */
+
+watchErrors();
+const courier = new Courier(new URL("worker.js", import.meta.url));
+const canvas = /** @type {HTMLCanvasElement} */ (element("flow"));
+const view = new FlowView(canvas);
+const particles = new Particles();
+
+/** The part of the plane that is shown. @type {{ center: Point, width: number }} */
+const PLANE = { center: [0, 0], width: 6 };
+/** Grids for a first picture and for the best one. */
+const COARSE = grid(60);
+const FINE = grid(160);
+/** Density of air in kg/m³, for the lift that is read. */
+const AIR = 1.225;
+
+const { state: first, wrong } = readState(location.hash);
+let state = first;
+if (wrong) remark(wrong);
+/** @type {Wind | null} */
+let wind = null;
+/** @type {Basis | null} */
+let basis = null;
+/** @type {Point[]} */
+let resting = [];
+/** Which body the solid points of a grid belong to. @type {Uint8Array} */
+let owners = new Uint8Array();
+/** @type {Point[] | null} */
+let stroke = null;
+
+/** @param {number} columns @returns {Grid} */
+function grid(columns) {
+  return { ...PLANE, columns, rows: Math.round(columns * 0.6) };
+}
+
+const shownBodies = () => state.own ?? /** @type {Bodies} */ (ready.get(state.body));
+
+/** Computes the basic flows, first on a coarse grid. */
+function solve() {
+  const bodies = shownBodies();
+  statusOfPage.onState(wind ? "working" : "loading");
+  statusOfPage.onProgress("begun");
+  /** @type {(on: Grid, last: boolean) => Promise<void>} */
+  const ask = (on, last) =>
+    courier.ask("basis", { what: "basis", bodies, grid: on }).then(
+      (/** @type {Basis | null} */ found) => {
+        if (!found || bodies !== shownBodies()) return;
+        basis = found;
+        wind = new Wind(on, found);
+        owners = ownersOf(wind, bodies.outlines);
+        particles.scatter();
+        turn();
+        if (!last) return ask(FINE, true);
+        statusOfPage.onState("ready", "");
+        statusOfPage.onProgress(null);
+        tell();
+      },
+      (error) => {
+        statusOfPage.onProgress(null);
+        statusOfPage.onState(wind ? "ready" : "invalid", error.message);
+      },
+    );
+  ask(COARSE, false);
+}
+
+/** @param {Wind} of @param {Point[][]} outlines */
+function ownersOf({ solid, grid: { center, width, columns, rows } }, outlines) {
+  const size = width / columns;
+  return Uint8Array.from(solid, (inside, k) => {
+    if (!inside) return 0;
+    const at = /** @type {Point} */ ([center[0] + ((k % columns) + 0.5 - columns / 2) * size, center[1] + (rows / 2 - Math.floor(k / columns) - 0.5) * size]);
+    return Math.max(0, outlines.findIndex((outline) => contains(outline, at)));
+  });
+}
+
+/** The wind, or the turning of the fluid, has changed. */
+function turn() {
+  if (!wind) return;
+  const { outlines } = shownBodies();
+  const circulation = state.kutta && wind.canLeave ? "kutta" : outlines.map(() => state.circulation);
+  wind.turn((state.angle * Math.PI) / 180, circulation, (k) => owners[k]);
+  resting = restingPoints(wind, outlines);
+  view.prepare(wind, state);
+  draw();
+  read();
+}
+
+function draw() {
+  if (!wind) return;
+  const outlines = stroke ? [] : shownBodies().outlines;
+  view.draw(wind, outlines, state, particles.specks.map(({ trail }) => trail), stroke ? [] : resting);
+}
+
+/** What is read off the flow. */
+function read() {
+  if (!wind) return;
+  const total = wind.circulation.reduce((sum, each) => sum + each, 0);
+  const lift = -total;
+  const way = Math.abs(lift) < 0.005 ? "no lift" : `lift ${signed(lift * AIR)} N a metre of span`;
+  element("reading").textContent = `Circulation ${signed(total)} m²/s: ${way}, in air at 1 m/s. The fluid rests at the yellow points.`;
+  const slider = /** @type {HTMLInputElement} */ (element("circulation"));
+  if (state.kutta && wind.canLeave) slider.value = String(total / wind.circulation.length);
+  /** @type {HTMLButtonElement} */ (element("kutta")).disabled = !wind.canLeave;
+  slider.disabled = state.kutta && wind.canLeave;
+  element("angle-value").textContent = `${signed(state.angle, 1)}°`;
+  element("circulation-value").textContent = signed(Number(slider.value));
+}
+
+/** @param {number} value @param {number} [digits] */
+const signed = (value, digits = 2) => value.toFixed(digits).replace("-", "−");
+
+function tell() {
+  if (!basis) return;
+  const { estimate, unknowns, ms } = basis;
+  showEvidence([
+    ["Error, at most", estimate.toExponential(0).replace("e-", " · 10⁻").replace(/⁻(\d+)/, (_, n) => `⁻${[...n].map((d) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[d]).join("")}`), "of the potential, in units of the wind times the body’s size"],
+    ["Unknowns", String(unknowns), "densities on the walls, for every wind at once"],
+    ["Computed in", `${ms.toFixed(0)} ms`, "all flows past these bodies; each turn of the wind adds them up anew"],
+    ["Points", `${FINE.columns} × ${FINE.rows}`, "where the stream function was computed; velocities are its differences"],
+  ]);
+}
+
+function remember() {
+  history.replaceState(null, "", `#${writeState(state)}`);
+}
+
+/** @param {Partial<typeof state>} change @param {boolean} [anew] whether the bodies are others */
+function change(change, anew = false) {
+  state = { ...state, ...change };
+  remember();
+  controls();
+  if (anew) solve();
+  else turn();
+}
+
+function controls() {
+  press("kutta", state.kutta);
+  for (const name of /** @type {const} */ (["pressure", "lines", "specks"])) press(name, state[name]);
+  /** @type {HTMLSelectElement} */ (element("body")).value = state.own ? "own" : state.body;
+  /** @type {HTMLInputElement} */ (element("angle")).value = String(state.angle);
+  if (!state.kutta) /** @type {HTMLInputElement} */ (element("circulation")).value = String(state.circulation);
+  document.body.dataset.mode = stroke ? "draw" : "edit";
+  press("draw", stroke !== null);
+}
+
+// Controls
+
+const select = /** @type {HTMLSelectElement} */ (element("body"));
+select.append(...[...ready].map(([name, { title }]) => new Option(title, name)));
+const ownOption = Object.assign(new Option("Your own", "own"), { hidden: true });
+select.append(ownOption);
+select.addEventListener("change", () => {
+  stroke = null;
+  change({ body: select.value, own: null, kutta: ready.get(select.value)?.trailing !== null }, true);
+});
+element("angle").addEventListener("input", (event) => change({ angle: /** @type {HTMLInputElement} */ (event.target).valueAsNumber }));
+element("circulation").addEventListener("input", (event) => change({ circulation: /** @type {HTMLInputElement} */ (event.target).valueAsNumber }));
+element("kutta").addEventListener("click", () => change({ kutta: !state.kutta, circulation: /** @type {HTMLInputElement} */ (element("circulation")).valueAsNumber }));
+for (const name of /** @type {const} */ (["pressure", "lines", "specks"])) element(name).addEventListener("click", () => change({ [name]: !state[name] }));
+element("save").addEventListener("click", () => canvas.toBlob((blob) => (blob ? handOver(blob, "flow.png") : remark("The picture could not be saved."))));
+element("open").addEventListener("click", () => /** @type {HTMLElement} */ (element("file")).click());
+element("file").addEventListener("change", async () => {
+  const input = /** @type {HTMLInputElement} */ (element("file"));
+  const [file] = input.files ?? [];
+  input.value = "";
+  if (file) take(await file.text(), file.name);
+});
+window.addEventListener("dragover", (event) => event.preventDefault());
+window.addEventListener("drop", async (event) => {
+  event.preventDefault();
+  const [file] = event.dataTransfer?.files ?? [];
+  if (file) take(await file.text(), file.name);
+});
+window.addEventListener("paste", (event) => {
+  const text = event.clipboardData?.getData("text/plain");
+  if (text?.trim()) take(text, "What you pasted");
+});
+
+/** A body from a text. @param {string} text @param {string} name */
+function take(text, name) {
+  attempt(courier.ask("outline", { what: "outline", text }), (found) => {
+    if (!found) return;
+    own(name, placed(found.outline));
+    remark(found.said);
+  });
+}
+
+/** @param {string} title @param {Point[]} outline */
+function own(title, outline) {
+  ownOption.hidden = false;
+  stroke = null;
+  change({ own: bodyOf(title, outline), kutta: true }, true);
+}
+
+// Drawing a body, turning the wind
+
+element("draw").addEventListener("click", () => {
+  stroke = stroke ? null : [];
+  controls();
+  draw();
+});
+
+/** @param {PointerEvent} event @returns {Point} */
+function pointAt(event) {
+  const box = canvas.getBoundingClientRect();
+  const size = PLANE.width / box.width;
+  return [(event.clientX - box.left - box.width / 2) * size, (box.height / 2 - (event.clientY - box.top)) * size];
+}
+
+/** The wind's angle when a drag began, and where that was: up and to the right it rises. @type {{ angle: number, at: number } | null} */
+let turning = null;
+
+canvas.addEventListener("pointerdown", (event) => {
+  if (event.button !== 0) return;
+  canvas.setPointerCapture(event.pointerId);
+  if (stroke) stroke = [pointAt(event)];
+  else turning = { angle: state.angle, at: event.clientX - event.clientY };
+});
+canvas.addEventListener("pointermove", (event) => {
+  if (!canvas.hasPointerCapture(event.pointerId)) return;
+  if (stroke) {
+    stroke.push(pointAt(event));
+    draw();
+    view.sketch(stroke, PLANE);
+  } else if (turning) {
+    const angle = Math.max(-30, Math.min(30, turning.angle + (event.clientX - event.clientY - turning.at) * 0.1));
+    change({ angle: Math.round(angle * 10) / 10 });
+  }
+});
+canvas.addEventListener("pointerup", () => {
+  turning = null;
+  if (!stroke || stroke.length < 3) return;
+  const outline = simplify(stroke, 0.015).slice(0, 200);
+  stroke = [];
+  if (outline.length < 3 || crossingEdges(outline).size) {
+    remark("The outline crosses itself: draw it again in one stroke that ends where it began.");
+    return draw();
+  }
+  own("Your own", outline);
+});
+window.addEventListener("keydown", (event) => {
+  if (event.key !== "Escape" || !stroke) return;
+  stroke = null;
+  controls();
+  draw();
+});
+
+// Time
+
+const still = matchMedia("(prefers-reduced-motion: reduce)");
+let last = 0;
+/** @param {number} now */
+function frame(now) {
+  requestAnimationFrame(frame);
+  if (!wind || !state.specks || stroke || document.hidden) return;
+  if (still.matches && particles.specks.length && particles.specks[0].trail.length > 12) return;
+  const time = Math.min(0.05, (now - last) / 1000);
+  last = now;
+  particles.step(wind, time, Math.round(Math.min(260, Math.max(60, canvas.clientWidth / 4))));
+  draw();
+}
+requestAnimationFrame(frame);
+new ResizeObserver(draw).observe(canvas);
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", turn);
+controls();
+if (state.own) ownOption.hidden = false;
+solve();

@@ -1,0 +1,78 @@
+// What the page of flows shows, and its place in the address.
+
+import { bodies as ready, bodyOf } from "./bodies.js";
+import { readAddress, wrongWords } from "../common/address.js";
+
+/** @typedef {import("../common/frame.js").Point} Point */
+/**
+ * @typedef {object} State
+ * @property {string} body a ready-made one
+ * @property {import("./bodies.js").Bodies | null} own a visitor's, in its place
+ * @property {number} angle of the wind, in degrees
+ * @property {boolean} kutta whether the fluid leaves at the trailing corners
+ * @property {number} circulation around each body, if it does not
+ * @property {boolean} pressure
+ * @property {boolean} lines
+ * @property {boolean} specks
+ */
+
+/** @type {State} */
+const FIRST = { body: "wing", own: null, angle: 6, kutta: true, circulation: 0, pressure: true, lines: true, specks: true };
+
+/** @param {number} low @param {number} high */
+const number = (low, high) => (/** @type {string} */ text) => {
+  const value = text.trim() === "" ? NaN : Number(text);
+  if (!(value >= low && value <= high)) throw new Error(`must be from ${low} to ${high}`);
+  return value;
+};
+
+const SCHEMA = {
+  /** @param {string} text */
+  body: (text) => {
+    if (!ready.has(text)) throw new Error(`must be one of ${[...ready.keys()].join(", ")}`);
+    return text;
+  },
+  angle: number(-30, 30),
+  circulation: number(-8, 8),
+  /** @param {string} text */
+  show: (text) => {
+    const names = text === "" ? [] : text.split(",");
+    if (names.some((name) => !["pressure", "lines", "specks"].includes(name))) throw new Error("must be made of pressure, lines, specks");
+    return names;
+  },
+  /** @param {string} text @returns {Point[]} */
+  outline: (text) => {
+    const points = text.split(";").map((pair) => pair.split(",").map(Number));
+    if (points.length < 3 || points.length > 400 || points.some((p) => p.length !== 2 || !p.every((x) => Math.abs(x) < 10))) throw new Error("must be 3 to 400 points x,y;x,y;…");
+    return /** @type {Point[]} */ (points);
+  },
+};
+
+/** @param {string} hash @returns {{ state: State, wrong: string }} */
+export function readState(hash) {
+  const { values, wrong } = readAddress(hash, SCHEMA);
+  const body = values.body ?? FIRST.body;
+  const own = values.outline ? bodyOf("Your own", values.outline) : null;
+  const edge = own !== null || ready.get(body)?.trailing !== null;
+  const shown = values.show ?? ["pressure", "lines", "specks"];
+  const state = {
+    body,
+    own,
+    angle: values.angle ?? FIRST.angle,
+    kutta: edge && values.circulation === undefined,
+    circulation: values.circulation ?? 0,
+    pressure: shown.includes("pressure"),
+    lines: shown.includes("lines"),
+    specks: shown.includes("specks"),
+  };
+  return { state, wrong: wrongWords(wrong) };
+}
+
+/** @param {State} state */
+export function writeState({ body, own, angle, kutta, circulation, ...shown }) {
+  const parts = [own ? `outline=${own.outlines[0].map(([x, y]) => `${x.toFixed(3)},${y.toFixed(3)}`).join(";")}` : `body=${body}`, `angle=${angle}`];
+  if (!kutta) parts.push(`circulation=${circulation}`);
+  const names = /** @type {const} */ (["pressure", "lines", "specks"]).filter((name) => shown[name]);
+  if (names.length < 3) parts.push(`show=${names.join(",")}`);
+  return parts.join("&");
+}
