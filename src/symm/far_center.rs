@@ -124,15 +124,17 @@ const LEAST_AWAY: f64 = 10.0;
 /// and is at most this share of that distance long, for the kernel to be smooth on it.
 const LONGEST_KNOWN: f64 = 0.5;
 /// Decades of measure beyond the tolerance within which walls are solved for at once.
-const DECADES_BEYOND: f64 = 3.0;
+const DECADES_BEYOND: f64 = 6.0;
 /// Errors of masses that are seen are smaller than this share of the estimate times the kernel.
 const NOISE: f64 = 0.5;
 
 /// The error that what is left out may cause, as a share of the tolerance.
 const SHARE_OF_UNSEEN: f64 = 0.03;
+/// Walls that are no farther away than this times the nearest are seen.
+const BESIDE: f64 = 3.0;
 /// Attempts with something left out,
 const MOST_ATTEMPTS: usize = 6;
-/// each of which solves for what lies within this times as far.
+/// each of which solves for this times as far.
 const FARTHER: f64 = 2.0;
 /// An attempt is given up where it takes more than this times the unknowns that it began with,
 const MOST_GROWTH: usize = 2;
@@ -191,7 +193,7 @@ struct Far<'a> {
     /// Of the nearer center's panels.
     sights: Vec<Sight>,
     tolerance: f64,
-    /// What is doubtful is solved for within this distance of the center.
+    /// What is doubtful is solved for along the boundary from what is seen, as far as this.
     reach: f64,
     /// What is nearer than this in the nearer center's disk is solved for.
     away: f64,
@@ -204,9 +206,13 @@ impl Far<'_> {
 
     /// In a corridor, measure falls by e^π over each width.
     fn first_reach(&self) -> f64 {
-        let clear = self.near.discretisation.panels.iter().map(|panel| distance(self.boundary(), panel, self.center));
-        let width = 2.0 * clear.fold(f64::INFINITY, f64::min);
-        width * (1.0 + (DECADES_BEYOND - self.tolerance.log10()) * std::f64::consts::LN_10 / PI)
+        2.0 * self.clear() * (1.0 + (DECADES_BEYOND - self.tolerance.log10()) * std::f64::consts::LN_10 / PI)
+    }
+
+    /// Distance of the center from the walls.
+    fn clear(&self) -> f64 {
+        let panels = &self.near.discretisation.panels;
+        panels.iter().map(|panel| distance(self.boundary(), panel, self.center)).fold(f64::INFINITY, f64::min)
     }
 
     /// Where the error of the nearer center's map, times the kernel, seen through the kernel, is a share of the tolerance.
@@ -238,8 +244,11 @@ impl Far<'_> {
                 (solved[q], solved[next]) = (either, either);
             }
         }
+        let beside = BESIDE * self.clear();
+        let is_seen =
+            |q: usize, mass: f64| mass > noise || distance(self.boundary(), &panels[q], self.center) <= beside;
         let role = |(q, sight): (usize, &Sight)| match solved[q] {
-            true if sight.mass > noise => Role::Solved,
+            true if is_seen(q, sight.mass) => Role::Solved,
             true => Role::Doubtful,
             false if sight.mass.abs() > least => Role::Known(q),
             false => Role::Unseen,
@@ -247,16 +256,39 @@ impl Far<'_> {
         self.sights.iter().enumerate().map(role).collect()
     }
 
+    /// Of every panel whether it is doubtful, and so are those between it and one that is seen, which is within reach.
+    fn reached(&self, roles: &[Role]) -> Vec<bool> {
+        let (boundary, panels) = (self.boundary(), &self.near.discretisation.panels);
+        let mut reached = vec![false; panels.len()];
+        let mut walk = |order: &mut dyn Iterator<Item = usize>| {
+            let mut last_seen = None;
+            for q in order {
+                let panel = &panels[q];
+                match (roles[q], last_seen) {
+                    (Role::Solved, _) => {
+                        last_seen =
+                            Some(boundary.vertices[panel.corner] + panel.direction * (0.5 * (panel.start + panel.end)));
+                    }
+                    (Role::Doubtful, Some(from)) if distance(boundary, panel, from) <= self.reach => reached[q] = true,
+                    _ => last_seen = None,
+                }
+            }
+        };
+        // Twice around, for what lies beyond vertex 0.
+        walk(&mut (0..panels.len()).chain(0..panels.len()));
+        walk(&mut (0..panels.len()).rev().chain((0..panels.len()).rev()));
+        reached
+    }
+
     /// The panels, in boundary order, and what is done about each: known ones are the nearer center's, those solved for are as
     /// fine as it needed them where the new center sees them and at least short against their distance, others are coarse.
     fn panels(&self, coarse: &[Panel], roles: &[Role]) -> Vec<(Panel, Role)> {
         let boundary = self.boundary();
         let least = NEGLIGIBLE * self.tolerance;
-        let fine: Vec<(Panel, f64, Role)> = (self.near.discretisation.panels.iter().zip(&self.sights).zip(roles))
-            .map(|((panel, sight), role)| match role {
-                Role::Doubtful if distance(boundary, panel, self.center) <= self.reach => {
-                    (*panel, sight.mass.abs(), Role::Solved)
-                }
+        let reached = self.reached(roles);
+        let fine: Vec<Seen> = (self.near.discretisation.panels.iter().zip(&self.sights).zip(roles.iter().zip(reached)))
+            .map(|((panel, sight), (role, reached))| match role {
+                Role::Doubtful if reached => (*panel, sight.mass.abs(), Role::Solved),
                 role => (*panel, sight.mass.abs(), *role),
             })
             .collect();
