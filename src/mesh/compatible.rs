@@ -6,7 +6,7 @@
 //! either copy, and regular polygons have their corners far apart.
 
 use super::connect::{connect, triangulate};
-use crate::plane::Complex64;
+use crate::plane::{Complex64, sort_by, sort_by_number};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
@@ -49,13 +49,13 @@ pub(super) fn compatible(source: &Corners, target: &Corners) -> Option<Compatibl
                 .filter(|&k| place(&crossings[k]).0 == index)
                 .map(|k| (place(&crossings[k]).1, n + k))
                 .collect();
-            stops.sort_by(|p, q| p.0.total_cmp(&q.0));
+            sort_by_number(&mut stops, |stop| stop.0);
             let path: Vec<_> = [a].into_iter().chain(stops.into_iter().map(|(_, node)| node)).chain([b]).collect();
             edges.extend(path.windows(2).map(|pair| sorted([pair[0], pair[1]])));
         }
     }
     let mut edges: Vec<_> = edges.into_iter().collect();
-    edges.sort_unstable();
+    sort_by(&mut edges, Ord::cmp);
     let triangles = triangulate(&points, edges).ok()?;
     Some(Compatible {
         source: crossings.iter().map(|c| along(source.places, chords[0][c.source.0], c.source.1)).collect(),

@@ -4,7 +4,7 @@ use super::draft::Draft;
 use super::probe::{Facet, Probe};
 use super::ring::RingNode;
 use super::triangles::edges;
-use crate::plane::Complex64;
+use crate::plane::{Complex64, sort_by};
 use crate::symm::options::Progress;
 use crate::{Error, Result};
 use std::collections::{HashMap, HashSet};
@@ -132,8 +132,10 @@ impl Draft<'_> {
             }
             None => true,
         });
-        nodes.sort_by(|(p, _), (q, _)| (p.re, p.im).partial_cmp(&(q.re, q.im)).unwrap_or(std::cmp::Ordering::Equal));
-        starts.sort_unstable();
+        sort_by(&mut nodes, |(p, _), (q, _)| {
+            (p.re, p.im).partial_cmp(&(q.re, q.im)).unwrap_or(std::cmp::Ordering::Equal)
+        });
+        sort_by(&mut starts, Ord::cmp);
         starts.dedup();
         self.add_pairs(&nodes) + self.split_boundary(&starts)
     }

@@ -2,7 +2,7 @@
 
 use super::correspondence::Correspondence;
 use super::draft::Draft;
-use crate::plane::Complex64;
+use crate::plane::{Complex64, sort_by};
 use crate::symm::options::Progress;
 use crate::{Error, Result};
 use std::collections::BTreeSet;
@@ -72,7 +72,7 @@ impl Draft<'_> {
             }
         }
         points.extend(inner.iter().map(|&(p, q)| 0.5 * (self.source[p as usize] + self.source[q as usize])));
-        starts.sort_unstable();
+        sort_by(&mut starts, Ord::cmp);
         self.add_inner(&points, map) + self.split_boundary(&starts)
     }
 

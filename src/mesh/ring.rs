@@ -3,7 +3,7 @@
 use super::correspondence::Correspondence;
 use super::net;
 use super::side::Outline;
-use crate::plane::BoundaryPoint;
+use crate::plane::{BoundaryPoint, sort_by_number};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
 
@@ -135,7 +135,7 @@ fn candidates_of_source(map: &dyn Correspondence, [own, other]: &[Outline; 2], s
     let mut list = vec![toward];
     let again = |c: &Candidate| c.source.point.point == source.toward().point;
     list.extend(corners.chain(divisions).map(carried).filter(|c| !again(c)));
-    list.sort_by(|p, q| p.source.distance.total_cmp(&q.source.distance));
+    sort_by_number(&mut list, |candidate| candidate.source.distance);
     keep_order(&mut list);
     list
 }
@@ -154,7 +154,7 @@ fn candidates_of_target(map: &dyn Correspondence, [own, other]: &[Outline; 2]) -
     };
     let again = |c: &Candidate| c.target.point.point == target.toward().point;
     let mut list: Vec<_> = other.corners().into_iter().map(carried).filter(|c| !again(c)).collect();
-    list.sort_by(|p, q| p.target.distance.total_cmp(&q.target.distance));
+    sort_by_number(&mut list, |candidate| candidate.target.distance);
     keep_order(&mut list);
     list
 }
@@ -249,7 +249,7 @@ fn grade(list: &mut Vec<Candidate>, map: &dyn Correspondence, [own, other]: &[Ou
             target: Place::image(map.boundary_forward(point), angle, other),
         }
     }));
-    list.sort_by(|p, q| p.angle.total_cmp(&q.angle));
+    sort_by_number(list, |candidate| candidate.angle);
 }
 
 /// Makes the distances along one outline rise strictly, moving only points that are not its own.

@@ -1,6 +1,6 @@
 //! Floating-point scan conversion: a polygon filled with the points of a rectangular grid.
 
-use crate::plane::{Complex64, Polygon};
+use crate::plane::{Complex64, Polygon, sort_by_number};
 use crate::{Error, Result};
 
 /// Samples keep this share of the spacing away from the boundary, where its own nodes are.
@@ -91,7 +91,7 @@ impl Grid {
             }
         }
         for (row, xs) in crossings.iter_mut().enumerate() {
-            xs.sort_by(f64::total_cmp);
+            sort_by_number(xs, |x| *x);
             for span in xs.chunks_exact(2) {
                 let columns = self.columns_between(span[0], span[1]);
                 self.marks[row * self.columns..][columns].fill(true);

@@ -10,6 +10,7 @@ mod outline_text;
 mod polygon;
 mod region;
 mod smooth_curve;
+mod sorting;
 mod svg_file;
 mod svg_path;
 
@@ -24,3 +25,4 @@ pub(crate) use polygon::ON_BOUNDARY;
 pub use polygon::{BoundaryPoint, Polygon};
 pub use region::Region;
 pub use smooth_curve::SmoothCurve;
+pub(crate) use sorting::{sort_by, sort_by_number};

@@ -8,7 +8,7 @@ use super::discretisation::Discretisation;
 use super::lu::Lu;
 use super::options::Progress;
 use super::refinement::Refinement;
-use crate::plane::Complex64;
+use crate::plane::{Complex64, sort_by_number};
 use crate::{Error, Result};
 use std::ops::Range;
 use std::sync::Arc;
@@ -238,7 +238,7 @@ impl Layout {
         let closeness = |h: usize| (self.centers[h] - self.centers[g]).norm() / (self.radii[g] + self.radii[h]);
         let mut across: Vec<usize> =
             (0..count).filter(|&h| h != g && !beside.contains(&h) && closeness(h) < NEAR).collect();
-        across.sort_by(|&a, &b| closeness(a).total_cmp(&closeness(b)));
+        sort_by_number(&mut across, |&h| closeness(h));
         across.truncate(MOST_NEIGHBOURS);
         beside.extend(across);
         beside

@@ -2,6 +2,7 @@
 
 use super::strip::Strip;
 use super::union::{self, EdgePiece, add_upright};
+use crate::plane::sort_by;
 
 /// An edge of the outline: its ends and the triangle that it bounds, which lies to its left (y down: to its right).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,7 +137,7 @@ impl Coverage {
         touched.iter().for_each(|&row| self.sum_up(row));
         let overlaps = touched.iter().any(|&row| self.row(row).iter().any(|&share| share > 1.0 + ROUNDING));
         if overlaps {
-            self.pieces.sort_by_key(|piece| piece.row);
+            sort_by(&mut self.pieces, |a, b| a.row.cmp(&b.row));
         }
         for row in touched {
             let together = overlaps.then(|| {

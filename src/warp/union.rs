@@ -3,6 +3,8 @@
 /// Lines across a row on which outlines are cut: between them, what is covered hardly changes.
 const LINES: usize = 16;
 
+use crate::plane::sort_by_number;
+
 /// The part of an outline's edge that lies in a row of pixels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EdgePiece {
@@ -34,7 +36,7 @@ pub(super) fn shares(pieces: &[EdgePiece], width: usize) -> Vec<Option<f32>> {
         let height = (line as f64 + 0.5) / LINES as f64;
         crossings.clear();
         crossings.extend(pieces.iter().filter_map(|piece| piece.crossing(height)));
-        crossings.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut crossings, |crossing| crossing.0);
         let (mut sheets, mut last) = (0_i32, 0.0);
         for &(x, change) in &crossings {
             let before = sheets;

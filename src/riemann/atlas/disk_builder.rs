@@ -10,7 +10,7 @@ use super::patches::Patches;
 use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step};
 use super::region_builder::LEAST_SLOPE;
 use super::region_side::RegionSide;
-use crate::plane::Complex64;
+use crate::plane::{Complex64, sort_by_number};
 use std::f64::consts::{SQRT_2, TAU};
 use std::rc::Rc;
 
@@ -169,7 +169,7 @@ impl Builder<'_> {
             let d = zones.measures[zone] - measure;
             (d - d.round()).abs()
         };
-        near.sort_by(|&a, &b| away(a).total_cmp(&away(b)));
+        sort_by_number(&mut near, |&zone| away(zone));
         near.dedup();
         near
     }

@@ -4,6 +4,7 @@ use super::accuracy::Accuracy;
 use super::charts::Atlas;
 use super::fit::Fit;
 use super::patch::Patch;
+use crate::plane::sort_by;
 use crate::symm::panel::Boundary;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -34,7 +35,7 @@ impl Patches {
     #[must_use]
     pub fn of_chart(&self, chart: usize) -> Self {
         let mut zones: Vec<_> = self.numbers.iter().filter(|((of, _), _)| *of == chart).collect();
-        zones.sort_unstable();
+        sort_by(&mut zones, Ord::cmp);
         Self {
             boundary: Arc::clone(&self.boundary),
             fit: Arc::clone(&self.fit),
