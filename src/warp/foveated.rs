@@ -6,7 +6,7 @@ use super::light::Light;
 use super::options::{WarpOptions, Wrap};
 use super::prepared::PreparedWarp;
 use super::render::TexelGrid;
-use super::sampler::{self, Row};
+use super::sampler::{Row, Sampler};
 use super::texture::{PICTURE, Texture};
 use super::warping::Warp;
 use crate::plane::{Complex64, Frame};
@@ -141,7 +141,7 @@ impl FoveatedTexture {
 /// A level as it is drawn: how the widest level's texels lie in it, and what samples it.
 struct Layer<'a> {
     texture: &'a Texture,
-    draw: sampler::Kernel,
+    sampler: Sampler,
     /// Texels of this level per texel of the widest, and where the widest one's first lies.
     scale: [f32; 2],
     shift: [f32; 2],
@@ -162,7 +162,7 @@ impl<'a> Layer<'a> {
         let shift = [0, 1].map(|k| (p[k] - scale[k] * a[k]) as f32);
         Ok(Self {
             texture,
-            draw: sampler::kernel(texture, prepared.is_framed(), prepared.quality())?,
+            sampler: Sampler::new(texture, prepared.is_framed(), prepared.quality())?,
             scale: scale.map(|s| s as f32),
             shift,
             level: (grid.density() / wide.density()).log2() as f32,
@@ -201,7 +201,7 @@ impl Scratch {
             let Self { u, v, level, jacobian, shares, pixels } = self;
             pixels.resize(line.len(), 0);
             let jacobian = jacobian.each_ref().map(|plane| &plane[..]);
-            (layer.draw)(layer.texture, Row { u, v, level, jacobian }, pixels);
+            layer.sampler.row(layer.texture, Row { u, v, level, jacobian }, pixels);
             let pixels = line.as_chunks_mut::<4>().0.iter_mut().zip(pixels.as_chunks::<4>().0);
             for ((above, below), &share) in pixels.zip(shares.iter()).filter(|(_, share)| **share > 0.0) {
                 *above = over(*above, *below, share);

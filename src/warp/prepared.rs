@@ -3,7 +3,7 @@
 use super::buffer;
 use super::options::{Quality, WarpOptions, Wrap};
 use super::render::dim;
-use super::sampler::{self, Row};
+use super::sampler::{Row, Sampler};
 use super::strip::Strip;
 use super::texture::Texture;
 use crate::{Error, Result};
@@ -162,8 +162,8 @@ impl PreparedWarp {
     /// As [`PreparedWarp::warp`], and [`Error::WrongLength`] if `out` does not fit.
     pub fn warp_into(&self, texture: &Texture, out: &mut [u8]) -> Result<()> {
         self.check(texture)?;
-        let draw = sampler::kernel(texture, self.framed, self.quality)?;
-        self.fill(out, |row, line| draw(texture, row, line))
+        let sampler = Sampler::new(texture, self.framed, self.quality)?;
+        self.fill(out, |row, line| sampler.row(texture, row, line))
     }
 
     /// # Errors

@@ -1,10 +1,11 @@
 //! There and back: what is left of a picture whose image under a map has finite resolution.
 
+use super::buffer;
 use super::light::Light;
 use super::options::{Direction, WarpOptions, Wrap};
+use super::sampler::Sampler;
 use super::texture::Texture;
 use super::warping::Warp;
-use super::{buffer, sampler};
 use crate::map::{Inverse, InvertibleMap};
 use crate::plane::Frame;
 use crate::{Error, Result};
@@ -47,13 +48,13 @@ pub fn recover<M: InvertibleMap>(map: &M, image: &Frame, texture: &Texture, opti
     let reached = kept(&Texture::new(&[255; 4], 1, 1, Wrap::Clamp, Light::Plain)?)?;
     let back = WarpOptions { texture: *image, direction: Direction::PullBack, ..options.clone() };
     let prepared = Inverse(map).prepare(&image_kept, &back)?;
-    let draw = sampler::kernel(&image_kept, false, options.quality)?;
-    let measure = sampler::kernel(&reached, false, options.quality)?;
+    let drawn = Sampler::new(&image_kept, false, options.quality)?;
+    let measured = Sampler::new(&reached, false, options.quality)?;
     let (mut out, mut shares) = (buffer::blank(options.output_size()?)?, Vec::new());
     prepared.fill(&mut out, |row, line| {
         shares.resize(line.len(), 0);
-        draw(&image_kept, row, line);
-        measure(&reached, row, &mut shares);
+        drawn.row(&image_kept, row, line);
+        measured.row(&reached, row, &mut shares);
         for (pixel, share) in line.as_chunks_mut::<4>().0.iter_mut().zip(shares.as_chunks::<4>().0) {
             let [alpha, share] = [pixel[3], share[3]].map(u32::from);
             pixel[3] = ((255 * alpha + share / 2) / share.max(1)).min(255) as u8;

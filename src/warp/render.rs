@@ -2,7 +2,7 @@
 
 use super::buffer;
 use super::options::WarpOptions;
-use super::sampler;
+use super::sampler::Sampler;
 use super::strip::{self, Strip};
 use super::texture::Texture;
 use crate::Result;
@@ -43,10 +43,10 @@ pub(super) fn render(
 ) -> Result<()> {
     buffer::check("The output", out.len(), options.output_size()?)?;
     let (first, line) = (options.checked_rows()?.start, 4 * options.view.pixels()[0]);
-    let draw = sampler::kernel(texture, framed, options.quality)?;
+    let sampler = Sampler::new(texture, framed, options.quality)?;
     strips(&mut |strip| {
         let band = &mut out[line * (strip.first_row - first)..][..line * strip.rows];
-        sampler::sample(draw, texture, strip, band);
+        sampler.strip(texture, strip, band);
         for &(row, column, share) in &strip.shares {
             dim(&mut band[line * row + 4 * column + 3], share);
         }

@@ -1,5 +1,6 @@
 //! What every kernel is given: a row of footprints, a pyramid of texels, and the grid of samples of the best quality.
 
+use super::fold::Fold;
 use crate::warp::light::Tables;
 use crate::warp::pyramid::Level;
 use crate::warp::strip::Strip;
@@ -25,7 +26,7 @@ pub struct Row<'a> {
 }
 
 /// Draws a row's pixels from a texture, as many as the bytes are for.
-pub type Kernel = fn(&Texture, Row<'_>, &mut [u8]);
+pub type Kernel = fn(&Texture, Fold, Row<'_>, &mut [u8]);
 
 impl<'a> Row<'a> {
     /// Columns `start..end` of the strip's row `row`; a quantity that the strip does not hold is empty.

@@ -15,56 +15,68 @@ use super::strip::Strip;
 use super::texel::{ByteTexel, LightTexel};
 use super::texture::Texture;
 use crate::Result;
-use fold::{Clamped, Fold, Framed, Mirrored, Repeated, Unchanged};
+use fold::Fold;
+use input::Kernel;
 
-pub(super) use input::{Kernel, Row};
+pub(super) use input::Row;
 
 /// Columns that are drawn from top to bottom before the next ones: what neighbours show is still in the cache then.
 const COLUMNS: usize = 64;
 
-/// Draws every row of the strip: `out` holds `strip.rows` rows of 4 · `strip.width` bytes.
-pub(super) fn sample(draw: Kernel, texture: &Texture, strip: &Strip, out: &mut [u8]) {
-    for start in (0..strip.width).step_by(COLUMNS) {
-        let end = strip.width.min(start + COLUMNS);
-        for (row, line) in out.chunks_exact_mut(4 * strip.width).enumerate() {
-            let footprints = Row::of(strip, row, start, end.next_multiple_of(4));
-            draw(texture, footprints, &mut line[4 * start..4 * end]);
+/// How a picture's rows are drawn.
+#[derive(Clone, Copy)]
+pub(super) struct Sampler {
+    draw: Kernel,
+    fold: Fold,
+}
+
+impl Sampler {
+    /// What draws rows of such a texture; of what lies in its frame, if `framed`.
+    ///
+    /// # Errors
+    /// [`crate::Error::OutOfMemory`] if there is no memory for the texture's light, which the best quality samples.
+    pub fn new(texture: &Texture, framed: bool, quality: Quality) -> Result<Self> {
+        let fold = match texture.wrap() {
+            // Its border shows nothing as it is.
+            Wrap::Transparent => Fold::Unchanged,
+            _ if framed => Fold::Framed,
+            Wrap::Clamp => Fold::Clamped,
+            Wrap::Repeat => Fold::Repeated,
+            Wrap::Mirror => Fold::Mirrored,
+        };
+        let draw = match (quality, texture.light()) {
+            (Quality::Nearest, _) => kernels::nearest,
+            (Quality::Bilinear, _) => kernels::bilinear,
+            (Quality::Trilinear, _) => kernels::trilinear,
+            (Quality::Best, Light::Plain) => best::<ByteTexel>(fold),
+            (Quality::Best, Light::Linear) => {
+                texture.make_light()?;
+                best::<LightTexel>(fold)
+            }
+        };
+        Ok(Self { draw, fold })
+    }
+
+    /// Draws a row's pixels, as many as the bytes are for.
+    #[inline]
+    pub fn row(self, texture: &Texture, row: Row<'_>, line: &mut [u8]) {
+        (self.draw)(texture, self.fold, row, line);
+    }
+
+    /// Draws every row of the strip: `out` holds `strip.rows` rows of 4 · `strip.width` bytes.
+    pub fn strip(self, texture: &Texture, strip: &Strip, out: &mut [u8]) {
+        for start in (0..strip.width).step_by(COLUMNS) {
+            let end = strip.width.min(start + COLUMNS);
+            for (row, line) in out.chunks_exact_mut(4 * strip.width).enumerate() {
+                let footprints = Row::of(strip, row, start, end.next_multiple_of(4));
+                self.row(texture, footprints, &mut line[4 * start..4 * end]);
+            }
         }
     }
 }
 
-/// What draws rows of such a texture; of what lies in its frame, if `framed`.
-///
-/// # Errors
-/// [`crate::Error::OutOfMemory`] if there is no memory for the texture's light, which the best quality samples.
-pub(super) fn kernel(texture: &Texture, framed: bool, quality: Quality) -> Result<Kernel> {
-    Ok(match (quality, texture.light()) {
-        (Quality::Best, Light::Linear) => {
-            texture.make_light()?;
-            kernel_of::<LightTexel>(texture.wrap(), framed, quality)
-        }
-        _ => kernel_of::<ByteTexel>(texture.wrap(), framed, quality),
-    })
-}
-
-fn kernel_of<T: Texel>(wrap: Wrap, framed: bool, quality: Quality) -> Kernel {
-    match wrap {
-        // Its border shows nothing as it is.
-        Wrap::Transparent => folded::<Unchanged, T>(quality),
-        _ if framed => folded::<Framed, T>(quality),
-        Wrap::Clamp => folded::<Clamped, T>(quality),
-        Wrap::Repeat => folded::<Repeated, T>(quality),
-        Wrap::Mirror => folded::<Mirrored, T>(quality),
-    }
-}
-
-fn folded<W: Fold, T: Texel>(quality: Quality) -> Kernel {
-    match quality {
-        Quality::Nearest => kernels::nearest::<W>,
-        Quality::Bilinear => kernels::bilinear::<W, T>,
-        Quality::Trilinear => kernels::trilinear::<W, T>,
-        Quality::Best => kernels::best::<W, T>,
-    }
+fn best<T: kernels::Texel>(fold: Fold) -> Kernel {
+    if fold == Fold::Unchanged { kernels::best::<T, true> } else { kernels::best::<T, false> }
 }
 
 #[cfg(not(target_feature = "simd128"))]
@@ -72,8 +84,6 @@ use scalar as kernels;
 /// The fastest kernels of this build.
 #[cfg(target_feature = "simd128")]
 use simd as kernels;
-
-use kernels::Texel;
 
 #[cfg(all(test, target_feature = "simd128"))]
 mod twins;

@@ -56,50 +56,50 @@ impl Texel for LightTexel {
     }
 }
 
-pub(super) fn nearest<W: Fold>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
+pub(super) fn nearest(texture: &Texture, fold: Fold, row: Row<'_>, line: &mut [u8]) {
     let pyramid = &Pyramid::<ByteTexel>::of(texture);
     let level = &pyramid.levels[0];
     each_pixel(pyramid, row, line, |u, v, _| {
         let cell = |t: f32, size: usize| {
             let size = size as f32;
-            (W::fold(t, size).floor().clamp(-1.0, size) as i32 + 1) as usize
+            (fold.apply(t, size).floor().clamp(-1.0, size) as i32 + 1) as usize
         };
         let (column, row) = (cell(u, level.width), cell(v, level.height));
-        if W::FRAMED && (is_border(column, level.width) || is_border(row, level.height)) {
+        if fold.is_framed() && (is_border(column, level.width) || is_border(row, level.height)) {
             return [0.0; 4];
         }
         pyramid.texels[level.offset + row * level.stride + column].channels()
     });
 }
 
-pub(super) fn bilinear<W: Fold, T: Texel>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
-    let pyramid = &Pyramid::<T>::of(texture);
+pub(super) fn bilinear(texture: &Texture, fold: Fold, row: Row<'_>, line: &mut [u8]) {
+    let pyramid = &Pyramid::<ByteTexel>::of(texture);
     let base = &pyramid.levels[0];
     each_pixel(pyramid, row, line, |u, v, _| {
-        let (u, v) = (W::fold(u, base.width as f32), W::fold(v, base.height as f32));
+        let (u, v) = (fold.apply(u, base.width as f32), fold.apply(v, base.height as f32));
         let mut sum = [0.0; 4];
-        add_bilinear::<W, T>(&mut sum, pyramid.texels, base, u, v, 1.0);
+        add_bilinear(&mut sum, pyramid.texels, base, fold, [u, v], 1.0);
         sum
     });
 }
 
-pub(super) fn trilinear<W: Fold, T: Texel>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
-    let pyramid = &Pyramid::<T>::of(texture);
+pub(super) fn trilinear(texture: &Texture, fold: Fold, row: Row<'_>, line: &mut [u8]) {
+    let pyramid = &Pyramid::<ByteTexel>::of(texture);
     each_pixel(pyramid, row, line, |u, v, pixel| {
         let mut sum = [0.0; 4];
-        add_trilinear::<W, T>(&mut sum, pyramid, u, v, row.level[pixel], 1.0);
+        add_trilinear(&mut sum, pyramid, fold, [u, v], row.level[pixel], 1.0);
         sum
     });
 }
 
-pub(super) fn best<W: Fold, T: Texel>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
+pub(super) fn best<T: Texel, const PLAIN: bool>(texture: &Texture, fold: Fold, row: Row<'_>, line: &mut [u8]) {
     let pyramid = &Pyramid::<T>::of(texture);
     each_pixel(pyramid, row, line, |u, v, pixel| {
         let [ux, vx, uy, vy] = row.jacobian.map(|plane| plane[pixel]);
         let mut sum = [0.0; 4];
         for [x, y] in ROTATED_GRID {
             let (u, v) = (u + x * ux + y * uy, v + x * vx + y * vy);
-            add_trilinear::<W, T>(&mut sum, pyramid, u, v, row.level[pixel] - 1.0, 0.25);
+            add_trilinear(&mut sum, pyramid, fold, [u, v], row.level[pixel] - 1.0, 0.25);
         }
         sum
     });
@@ -120,23 +120,30 @@ fn each_pixel<T: Texel>(
 }
 
 /// Adds `weight` times the texture at (u, v), blended between the two levels around `level`.
-fn add_trilinear<W: Fold, T: Texel>(sum: &mut Sum, pyramid: &Pyramid<'_, T>, u: f32, v: f32, level: f32, weight: f32) {
+fn add_trilinear<T: Texel>(
+    sum: &mut Sum,
+    pyramid: &Pyramid<'_, T>,
+    fold: Fold,
+    [u, v]: [f32; 2],
+    level: f32,
+    weight: f32,
+) {
     let levels = pyramid.levels;
-    let (u, v) = (W::fold(u, levels[0].width as f32), W::fold(v, levels[0].height as f32));
+    let (u, v) = (fold.apply(u, levels[0].width as f32), fold.apply(v, levels[0].height as f32));
     let level = level.max(0.0).min((levels.len() - 1) as f32);
     let (lower, share) = (level as usize, level.fract());
-    add_bilinear::<W, T>(sum, pyramid.texels, &levels[lower], u, v, weight * (1.0 - share));
+    add_bilinear(sum, pyramid.texels, &levels[lower], fold, [u, v], weight * (1.0 - share));
     if share > 0.0 {
-        add_bilinear::<W, T>(sum, pyramid.texels, &levels[lower + 1], u, v, weight * share);
+        add_bilinear(sum, pyramid.texels, &levels[lower + 1], fold, [u, v], weight * share);
     }
 }
 
 /// Adds `weight` times the level at (u, v), which are texels of level 0.
-fn add_bilinear<W: Fold, T: Texel>(sum: &mut Sum, texels: &[T], level: &Level, u: f32, v: f32, weight: f32) {
+fn add_bilinear<T: Texel>(sum: &mut Sum, texels: &[T], level: &Level, fold: Fold, [u, v]: [f32; 2], weight: f32) {
     let (column, x) = cell(u * level.scale[0], level.width);
     let (row, y) = cell(v * level.scale[1], level.height);
     let start = level.offset + row * level.stride + column;
-    let (x, y) = (shares::<W>(column, x, level.width), shares::<W>(row, y, level.height));
+    let (x, y) = (shares(fold, column, x, level.width), shares(fold, row, y, level.height));
     let weights = [x[0] * y[0], x[1] * y[0], x[0] * y[1], x[1] * y[1]];
     for (tap, share) in [0, 1, level.stride, level.stride + 1].into_iter().zip(weights) {
         for (channel, value) in sum.iter_mut().zip(texels[start + tap].channels()) {
@@ -146,8 +153,8 @@ fn add_bilinear<W: Fold, T: Texel>(sum: &mut Sum, texels: &[T], level: &Level, u
 }
 
 /// The weights of the texel `before` a point and of the next one, which lies the share `t` nearer than that.
-fn shares<W: Fold>(before: usize, t: f32, size: usize) -> [f32; 2] {
-    let weight = |at: usize, share: f32| if W::FRAMED && is_border(at, size) { 0.0 } else { share };
+fn shares(fold: Fold, before: usize, t: f32, size: usize) -> [f32; 2] {
+    let weight = |at: usize, share: f32| if fold.is_framed() && is_border(at, size) { 0.0 } else { share };
     [weight(before, 1.0 - t), weight(before + 1, t)]
 }
 

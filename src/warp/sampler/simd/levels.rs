@@ -33,38 +33,38 @@ impl Between {
     }
 
     #[inline(always)]
-    pub fn sums<W: Fold, T: Texel>(&self, pyramid: &Pyramid<'_, T>, u: v128, v: v128) -> Sums {
+    pub fn sums<T: Texel>(&self, pyramid: &Pyramid<'_, T>, fold: Fold, u: v128, v: v128) -> Sums {
         match self.common {
             Some(lower) if self.on_lower => {
                 let taps = Taps::new(&pyramid.levels[lower], u, v);
-                taps.sums::<W, T>(pyramid.texels, taps.weights(f32x4_splat(ONE)).completed())
+                taps.sums(pyramid.texels, fold, taps.weights(f32x4_splat(ONE)).completed())
             }
-            Some(lower) => between::<W, T>(pyramid, u, v, lower, self.share),
-            None => each_between::<W, T>(pyramid, u, v, self.lower, self.share),
+            Some(lower) => between(pyramid, fold, u, v, lower, self.share),
+            None => each_between(pyramid, fold, u, v, self.lower, self.share),
         }
     }
 }
 
 /// Four samples between the levels `lower` and `lower` + 1.
 #[inline(always)]
-fn between<W: Fold, T: Texel>(pyramid: &Pyramid<'_, T>, u: v128, v: v128, lower: usize, share: v128) -> Sums {
+fn between<T: Texel>(pyramid: &Pyramid<'_, T>, fold: Fold, u: v128, v: v128, lower: usize, share: v128) -> Sums {
     let levels = &pyramid.levels[lower..lower + 2];
     let (fine, coarse) = (Taps::new(&levels[0], u, v), Taps::new(&levels[1], u, v));
     let coarse_weights = coarse.weights(share);
     let fine_weights = fine.weights(f32x4_sub(f32x4_splat(ONE), share)).completed_beside(&coarse_weights);
-    plus(fine.sums::<W, T>(pyramid.texels, fine_weights), coarse.sums::<W, T>(pyramid.texels, coarse_weights))
+    plus(fine.sums(pyramid.texels, fold, fine_weights), coarse.sums(pyramid.texels, fold, coarse_weights))
 }
 
 /// Four samples whose levels differ, one at a time. Few groups are cut by the line where the level changes.
 #[cold]
 #[inline(never)]
-fn each_between<W: Fold, T: Texel>(pyramid: &Pyramid<'_, T>, u: v128, v: v128, lower: v128, share: v128) -> Sums {
+fn each_between<T: Texel>(pyramid: &Pyramid<'_, T>, fold: Fold, u: v128, v: v128, lower: v128, share: v128) -> Sums {
     let ([u, v], [lower, share]) = ([u, v].map(lanes), [lower, share].map(lanes));
     let last = pyramid.levels.len() - 2;
     std::array::from_fn(|k| {
         // A sample on the last level lies wholly there.
         let (lower, share) = if lower[k] as usize > last { (last, ONE) } else { (lower[k] as usize, share[k]) };
-        between::<W, T>(pyramid, f32x4_splat(u[k]), f32x4_splat(v[k]), lower, f32x4_splat(share))[0]
+        between(pyramid, fold, f32x4_splat(u[k]), f32x4_splat(v[k]), lower, f32x4_splat(share))[0]
     })
 }
 

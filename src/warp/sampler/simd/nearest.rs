@@ -8,12 +8,12 @@ use crate::warp::texel::ByteTexel;
 use crate::warp::texture::Texture;
 use core::arch::wasm32::*;
 
-pub fn nearest<W: Fold>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
+pub fn nearest(texture: &Texture, fold: Fold, row: Row<'_>, line: &mut [u8]) {
     let pyramid = &Pyramid::<ByteTexel>::of(texture);
-    let (axes, level) = (Axes::of(pyramid), pyramid.levels[0]);
+    let (axes, level) = (Axes::of(pyramid, fold), pyramid.levels[0]);
     let (width, height, stride) = (level.width as f32, level.height as f32, i32x4_splat(level.stride as i32));
     each_four(row, line, |u, v, _| {
-        let (u, v) = axes.folded::<W>(u, v);
+        let (u, v) = axes.folded(u, v);
         let (column, row) = (cell(u, width), cell(v, height));
         let index = i32x4_add(i32x4_mul(row, stride), column);
         let texel = |index: i32| {
@@ -28,7 +28,7 @@ pub fn nearest<W: Fold>(texture: &Texture, row: Row<'_>, line: &mut [u8]) {
             texel(i32x4_extract_lane::<2>(index)),
             texel(i32x4_extract_lane::<3>(index)),
         );
-        let texels = if W::FRAMED {
+        let texels = if fold.is_framed() {
             let inner = v128_and(is_inner(column, level.width as i32), is_inner(row, level.height as i32));
             v128_and(texels, inner)
         } else {

@@ -59,8 +59,8 @@ impl Taps {
     }
 
     #[inline(always)]
-    pub fn sums<W: Fold, T: Texel>(&self, texels: &[T], weights: Weights) -> Sums {
-        let weights = if W::FRAMED { weights.within(&self.column, &self.row) } else { weights };
+    pub fn sums<T: Texel>(&self, texels: &[T], fold: Fold, weights: Weights) -> Sums {
+        let weights = if fold.is_framed() { weights.within(&self.column, &self.row) } else { weights };
         let [left, right] = weights.pairs();
         let sum = |index: i32, left: v128, right: v128| {
             let index = index as usize;

@@ -58,20 +58,22 @@ pub fn is_inner(at: v128, size: i32) -> v128 {
 
 /// The texture's sizes and their reciprocals, for folding.
 pub struct Axes {
+    fold: Fold,
     sizes: [v128; 2],
     reciprocals: [v128; 2],
 }
 
 impl Axes {
     #[inline(always)]
-    pub fn of<T>(pyramid: &Pyramid<'_, T>) -> Self {
+    pub fn of<T>(pyramid: &Pyramid<'_, T>, fold: Fold) -> Self {
         let base = &pyramid.levels[0];
         let sizes = [base.width as f32, base.height as f32];
-        Self { sizes: sizes.map(|n| f32x4_splat(n)), reciprocals: sizes.map(|n| f32x4_splat(1.0 / n)) }
+        Self { fold, sizes: sizes.map(|n| f32x4_splat(n)), reciprocals: sizes.map(|n| f32x4_splat(1.0 / n)) }
     }
 
     #[inline(always)]
-    pub fn folded<W: Fold>(&self, u: v128, v: v128) -> (v128, v128) {
-        (W::fold4(u, self.sizes[0], self.reciprocals[0]), W::fold4(v, self.sizes[1], self.reciprocals[1]))
+    pub fn folded(&self, u: v128, v: v128) -> (v128, v128) {
+        let fold = |t: v128, k: usize| self.fold.apply4(t, self.sizes[k], self.reciprocals[k]);
+        (fold(u, 0), fold(v, 1))
     }
 }
