@@ -18,7 +18,7 @@ function unpack(png) {
   return inflateSync(Buffer.concat(parts));
 }
 
-for (const [name, ...more] of [["formula", "(z - 1)/(z + 1)"], ["disk"]]) {
+for (const [name, ...more] of [["formula", "(z - 1)/(z + 1)"], ["disk"], ["pair"], ["cortex"], ["fovea"]]) {
   test(`cargo run --example ${name}`, async (context) => {
     const folder = await mkdtemp(join(tmpdir(), "example-"));
     context.after(() => rm(folder, { recursive: true }));
