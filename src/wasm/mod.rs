@@ -19,6 +19,7 @@ pub mod exterior;
 pub mod flow;
 pub mod formula;
 pub mod foveated;
+pub mod frame;
 pub mod memory;
 #[cfg(feature = "regions")]
 pub mod mesh;
