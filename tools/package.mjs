@@ -4,6 +4,7 @@ import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { assemble } from "./assemble.mjs";
+import { notices } from "./notices.mjs";
 import { Failure, root, run, step } from "./steps.mjs";
 import { wasmBindgen } from "./setup.mjs";
 
@@ -22,11 +23,13 @@ const modules = {
 /**
  * Builds `pkg/` and `www/pkg/`. cargo decides about compiling; the rest is skipped while its inputs are the same.
  *
- * @param {{ complete?: boolean }} [options] `complete` adds the second module, which only the published package needs
+ * @param {{ complete?: boolean }} [options] `complete` adds what only the published package needs: the second module, and notices
  */
 export async function buildPackage({ complete = false } = {}) {
   await buildModule("full", modules.full);
-  if (complete) await buildModule("formula", modules.formula);
+  if (!complete) return;
+  await buildModule("formula", modules.formula);
+  await step("notices", () => writeFileSync(join(pkg, "THIRD-PARTY-NOTICES.txt"), notices(target)));
 }
 
 /**
