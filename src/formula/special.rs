@@ -1,6 +1,6 @@
 //! Functions of a parameter and a variable: an order, a branch, a modulus or a lattice, and a point.
 
-use super::functions::{Jacobi, LARGEST_ORDER, Lattice, Modulus, ValueAndSlope, bessel_j, lambert_w};
+use super::functions::{Jacobi, LARGEST_ORDER, Lattice, Modulus, UNDEFINED, ValueAndSlope, bessel_j, lambert_w};
 use crate::plane::Complex64;
 
 /// A function of which the first operand must not depend on z.
@@ -21,7 +21,6 @@ pub enum Special {
 impl Special {
     /// z → (f(z), f'(z)) for one parameter; what depends on that alone is computed once.
     pub fn function(self, parameter: Complex64) -> Box<dyn Fn(Complex64) -> ValueAndSlope> {
-        let undefined = Complex64::new(f64::NAN, f64::NAN);
         match self {
             Self::LambertW => Box::new(move |z| lambert_w(parameter, z)),
             Self::BesselJ => Box::new(move |z| bessel_j(parameter, z)),
@@ -30,7 +29,7 @@ impl Special {
                 Box::new(move |z| modulus.eval(function, z))
             }
             Self::Weierstrass | Self::WeierstrassPrime => {
-                let Some(lattice) = Lattice::new(parameter) else { return Box::new(move |_| (undefined, undefined)) };
+                let Some(lattice) = Lattice::new(parameter) else { return Box::new(|_| UNDEFINED) };
                 if self == Self::Weierstrass {
                     Box::new(move |z| lattice.wp(z))
                 } else {

@@ -28,7 +28,9 @@ pub struct FormulaOptions {
 /// - `exp log sqrt pow`; `sin cos tan sec csc cot`, the same with `h`, and the inverses of all with `a` or `arc` before
 ///   the name; `gamma`; `conj re im arg abs`.
 /// - `x` and `y` are re(z) and im(z), unless a parameter has the name; `f(z) =` may stand before all. `sin z`, `sin²(z)`.
-/// - `log10 sinc floor`, `mod(z, m)`.
+/// - `log10 sinc floor`, `mod(z, m)`; `erf erfc zeta`.
+/// - `lambertw(z, k)`, `besselj(n, z)`, Jacobi's `sn(z, k)`, `cn(z, k)`, `dn(z, k)` of modulus k, Weierstrass's `wp(z, t)` of the
+///   lattice 1, t, and `wpp`, its derivative; k, n and t must not depend on z.
 /// - Branches: `log(z, k)`, `sqrt(z, k)`, `pow(z, a, k)`; `sum(n, 1, 10, z^n/n)`, `prod(…)`, `iterate(w, z, 8, w^2 + z)`.
 #[derive(Debug)]
 #[wasm_bindgen]

@@ -5,6 +5,9 @@ use crate::plane::Complex64;
 /// A function's value and its derivative at a point.
 pub type ValueAndSlope = (Complex64, Complex64);
 
+/// Where a function has no value.
+pub const UNDEFINED: ValueAndSlope = (Complex64::new(f64::NAN, f64::NAN), Complex64::new(f64::NAN, f64::NAN));
+
 /// i·z, exactly.
 pub fn times_i(z: Complex64) -> Complex64 {
     Complex64::new(-z.im, z.re)

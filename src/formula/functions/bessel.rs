@@ -1,6 +1,6 @@
 //! Bessel functions of the first kind and whole order.
 
-use super::arithmetic::{ValueAndSlope, divide};
+use super::arithmetic::{UNDEFINED, ValueAndSlope, divide};
 use crate::plane::Complex64;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
@@ -12,12 +12,11 @@ const FAR: f64 = 25.0;
 
 /// J_n(z) and its derivative (J_{n−1}(z) − J_{n+1}(z))/2; NaN where n is not a whole number or too large.
 ///
-/// The error is about 1e-15 of the local size e^{|Im z|}/√|z|, times the rounding of z where |z| is large.
+/// The error is about 1e-15 for small orders, 2e-14 at 200, of the local size e^{|Im z|}/√|z|, times the rounding of z where |z| is large.
 pub fn bessel_j(order: Complex64, z: Complex64) -> ValueAndSlope {
-    let undefined = Complex64::new(f64::NAN, f64::NAN);
     let n = order.re;
     if !z.is_finite() || order.im != 0.0 || n.trunc() != n || n.abs() > LARGEST_ORDER {
-        return (undefined, undefined);
+        return UNDEFINED;
     }
     // DLMF 10.4.1 and 10.11.1: J_{−n} = (−1)ⁿ J_n, and the same for J_n(−z), whose derivative turns once more.
     let left = z.re < 0.0;

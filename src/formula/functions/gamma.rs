@@ -1,6 +1,6 @@
 //! The gamma function.
 
-use super::arithmetic::{ValueAndSlope, divide};
+use super::arithmetic::{UNDEFINED, ValueAndSlope, divide};
 use super::exponential::{exp_value, log_value, sin_cos_pi};
 use crate::plane::Complex64;
 use std::f64::consts::{LN_2, PI};
@@ -39,7 +39,7 @@ const FAR: f64 = 13.0;
 /// Stirling's series after a shift to |z| ≥ 13, reflection for Re z < ½. About 1e-14 relative, growing as |log Γ|.
 pub fn gamma(z: Complex64) -> ValueAndSlope {
     if !z.is_finite() {
-        return (Complex64::new(f64::NAN, f64::NAN), Complex64::new(f64::NAN, f64::NAN));
+        return UNDEFINED;
     }
     let (value, psi) = if z.re < 0.5 { reflected(z) } else { right_half_plane(z) };
     (value, value * psi)

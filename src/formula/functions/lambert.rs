@@ -2,7 +2,7 @@
 //!
 //! R. M. Corless et al., *On the Lambert W function* (1996): branches and cuts are theirs, and mpmath's.
 
-use super::arithmetic::{ValueAndSlope, divide, product_in_two, without_signed_zeros};
+use super::arithmetic::{UNDEFINED, ValueAndSlope, divide, product_in_two, without_signed_zeros};
 use super::exponential::{exp_value, log_value, sqrt};
 use crate::plane::Complex64;
 use std::f64::consts::{E, PI, TAU};
@@ -16,9 +16,8 @@ const MOST_STEPS: usize = 20;
 /// W_k(z) and its derivative W/(z(1 + W)); NaN where k is not a whole number.
 pub fn lambert_w(branch: Complex64, z: Complex64) -> ValueAndSlope {
     let k = branch.re;
-    let undefined = Complex64::new(f64::NAN, f64::NAN);
     if !z.is_finite() || branch.im != 0.0 || k.trunc() != k || (z == Complex64::ZERO && k != 0.0) {
-        return (undefined, undefined);
+        return UNDEFINED;
     }
     let z = without_signed_zeros(z);
     let above = from_branch_point(z);

@@ -30,7 +30,7 @@ mod reciprocal;
 mod weierstrass;
 mod zeta;
 
-pub use arithmetic::{ValueAndSlope, divide};
+pub use arithmetic::{UNDEFINED, ValueAndSlope, divide};
 pub use bessel::{LARGEST_ORDER, bessel_j};
 pub use circular::{cos, cosh, floor, sin, sinc, sinh, tan, tanh};
 pub use erf::{erf, erfc};

@@ -1,6 +1,6 @@
 //! Riemann's zeta function.
 
-use super::arithmetic::{ValueAndSlope, divide};
+use super::arithmetic::{UNDEFINED, ValueAndSlope, divide};
 use super::exponential::{exp_value, sin_cos_pi};
 use super::gamma::log_gamma_and_digamma;
 use crate::plane::Complex64;
@@ -19,10 +19,9 @@ const CONVERGENT: f64 = 8.0;
 ///
 /// About 1e-14, and 3e-13 where |Im s| nears 200 or Re s nears −200, by Euler and Maclaurin's formula and reflection.
 pub fn zeta(s: Complex64) -> ValueAndSlope {
-    let undefined = Complex64::new(f64::NAN, f64::NAN);
     let in_strip = s.re < CONVERGENT && s.re > 1.0 - CONVERGENT;
     if !s.is_finite() || s == Complex64::ONE || (s.im.abs() > HIGHEST && in_strip) {
-        return (undefined, undefined);
+        return UNDEFINED;
     }
     if s.re < -0.5 { reflected(s) } else { summed(s) }
 }
