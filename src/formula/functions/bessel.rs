@@ -12,7 +12,7 @@ const FAR: f64 = 25.0;
 
 /// J_n(z) and its derivative (J_{n−1}(z) − J_{n+1}(z))/2; NaN where n is not a whole number or too large.
 ///
-/// The error is about 1e-15 for small orders, 2e-14 at 200, of the local size e^{|Im z|}/√|z|, times the rounding of z where |z| is large.
+/// The error is about 1e-15 for small orders and 2e-14 at 200, relative to the local size e^{|Im z|}/√|z|.
 pub fn bessel_j(order: Complex64, z: Complex64) -> ValueAndSlope {
     let n = order.re;
     if !z.is_finite() || order.im != 0.0 || n.trunc() != n || n.abs() > LARGEST_ORDER {
