@@ -7,6 +7,7 @@ import { FlowView } from "./view.js";
 import { Wind } from "./wind.js";
 import { readState, writeState } from "./state.js";
 import { Courier } from "../common/courier.js";
+import { workOffline } from "../common/offline.js";
 import { handOver } from "../common/saver.js";
 import { attempt, element, press, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
 import { contains, crossingEdges, simplify } from "../editor/geometry.js";
@@ -17,6 +18,7 @@ import { contains, crossingEdges, simplify } from "../editor/geometry.js";
 /** @typedef {import("./answers.js").Grid} Grid */
 
 watchErrors();
+workOffline();
 const courier = new Courier(new URL("worker.js", import.meta.url));
 const canvas = /** @type {HTMLCanvasElement} */ (element("flow"));
 const view = new FlowView(canvas);

@@ -2,9 +2,11 @@
 
 import { Courier } from "../common/courier.js";
 import { Place } from "./place.js";
+import { workOffline } from "../common/offline.js";
 import { watchErrors, wordsOf } from "../common/page.js";
 
 watchErrors();
+workOffline();
 const courier = new Courier(new URL("worker.js", import.meta.url));
 
 /** @param {HTMLElement} figure */
