@@ -9,7 +9,7 @@ import { Failure } from "./steps.mjs";
 const LIMITS = [
   { name: "the module", files: ["pkg/conformal_warp_bg.wasm"], most: 660_000 },
   { name: "its code", files: ["pkg/*"], most: 28_000 },
-  { name: "the module of formulas", files: ["pkg/formula/formula_bg.wasm"], most: 230_000 },
+  { name: "the module of formulas", files: ["pkg/formula/formula_bg.wasm"], most: 237_000 },
   { name: "its code", files: ["pkg/formula/*"], most: 20_000 },
 ];
 
