@@ -3,10 +3,11 @@
 import { PotentialFlow, Region } from "../../pkg/index.js";
 import { flatten, unflatten } from "../common/frame.js";
 import { chooseOutline } from "../editor/outline-text.js";
+import { pointsOf } from "./grid-field.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./bodies.js").Bodies} Bodies */
-/** @typedef {{ center: Point, width: number, columns: number, rows: number }} Grid its points are the middles of square cells, rows from above */
+/** @typedef {import("./grid-field.js").Grid} Grid */
 /** The stream function ψ of a flow on the grid, NaN inside bodies, and on each body. @typedef {{ psi: Float64Array, walls: number[] }} Basic */
 /**
  * Every flow past the bodies is a sum of these: the winds along x and along y, and a turning around each body.
@@ -41,7 +42,7 @@ function basis({ outlines, curve, trailing }, grid) {
   const winds = [flow(0, still), flow(Math.PI / 2, still)];
   const turnings = outlines.map((_, k) => flow(0, still.map((_, j) => (j === k ? 1 : 0))));
   const leaving = trailing && [flow(0, "kutta"), flow(Math.PI / 2, "kutta")];
-  const points = middles(grid);
+  const points = pointsOf(grid);
   const walls = flatten(outlines.map(([first]) => first));
   const [along, across] = winds.map((wind) => sampled(wind, points, walls));
   const turned = turnings.map((turning) => difference(sampled(turning, points, walls), along));
@@ -50,20 +51,6 @@ function basis({ outlines, curve, trailing }, grid) {
   for (const each of [...winds, ...turnings, ...(leaving ?? [])]) each.free();
   region.free();
   return { flows: [along, across, ...turned], kutta, estimate: errorEstimate, unknowns, ms: performance.now() - begin };
-}
-
-/** @param {Grid} grid */
-function middles({ center: [x, y], width, columns, rows }) {
-  const size = width / columns;
-  const points = new Float64Array(2 * columns * rows);
-  for (let row = 0; row < rows; row++) {
-    for (let column = 0; column < columns; column++) {
-      const at = 2 * (row * columns + column);
-      points[at] = x + (column + 0.5 - columns / 2) * size;
-      points[at + 1] = y + (rows / 2 - row - 0.5) * size;
-    }
-  }
-  return points;
 }
 
 /** @param {PotentialFlow} flow @param {Float64Array} points @param {Float64Array} walls a point of each body @returns {Basic} */

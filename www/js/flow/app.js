@@ -4,6 +4,7 @@ import { bodies as ready, bodyOf, placed } from "./bodies.js";
 import { Particles } from "./particles.js";
 import { restingPoints } from "./resting.js";
 import { FlowView } from "./view.js";
+import { placeOf } from "./grid-field.js";
 import { Wind } from "./wind.js";
 import { readState, writeState } from "./state.js";
 import { Courier } from "../common/courier.js";
@@ -15,7 +16,7 @@ import { contains, crossingEdges, simplify } from "../editor/geometry.js";
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./bodies.js").Bodies} Bodies */
 /** @typedef {import("./answers.js").Basis} Basis */
-/** @typedef {import("./answers.js").Grid} Grid */
+/** @typedef {import("./grid-field.js").Grid} Grid */
 
 watchErrors();
 workOffline();
@@ -82,13 +83,8 @@ function solve() {
 }
 
 /** @param {Wind} of @param {Point[][]} outlines */
-function ownersOf({ solid, grid: { center, width, columns, rows } }, outlines) {
-  const size = width / columns;
-  return Uint8Array.from(solid, (inside, k) => {
-    if (!inside) return 0;
-    const at = /** @type {Point} */ ([center[0] + ((k % columns) + 0.5 - columns / 2) * size, center[1] + (rows / 2 - Math.floor(k / columns) - 0.5) * size]);
-    return Math.max(0, outlines.findIndex((outline) => contains(outline, at)));
-  });
+function ownersOf({ solid, grid }, outlines) {
+  return Uint8Array.from(solid, (inside, k) => (inside ? Math.max(0, outlines.findIndex((outline) => contains(outline, placeOf(grid, k)))) : 0));
 }
 
 /** The wind, or the turning of the fluid, has changed. */

@@ -1,6 +1,6 @@
 // Lines on which a function on a grid has given values: marching squares.
 
-/** @typedef {import("./answers.js").Grid} Grid */
+/** @typedef {import("./grid-field.js").Grid} Grid */
 
 /** Edges of a cell that a line joins, for each way in which its corners may lie: corners from the top left on, clockwise. @type {[number, number][][]} */
 const CASES = [

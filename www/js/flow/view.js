@@ -35,7 +35,7 @@ export class FlowView {
   /** Prepares what changes with the wind alone. @param {Wind} wind @param {Shown} shown */
   prepare(wind, shown) {
     if (shown.pressure) this.#colour(wind);
-    this.#pieces = shown.lines ? levelPieces(wind.psi, wind.grid, levelsOf(wind)) : [];
+    this.#pieces = shown.lines ? levelPieces(wind.values, wind.grid, levelsOf(wind)) : [];
   }
 
   /** @param {Wind} wind @param {Point[][]} outlines @param {Shown} shown @param {Point[][]} trails @param {Point[]} resting where the fluid rests */
@@ -165,9 +165,9 @@ export class FlowView {
 }
 
 /** Stream functions at equal distances, through that of each body: its lines are those that part there. @param {Wind} wind */
-function levelsOf({ psi, grid: { width, columns, rows }, walls }) {
+function levelsOf({ values, grid: { width, columns, rows }, walls }) {
   let [low, high] = [Infinity, -Infinity];
-  for (const value of psi) {
+  for (const value of values) {
     if (value < low) low = value;
     if (value > high) high = value;
   }
@@ -179,8 +179,8 @@ function levelsOf({ psi, grid: { width, columns, rows }, walls }) {
 }
 
 /** Pressure coefficients 1 − |u|². Points of a body beside the fluid take that of their neighbours, so that colours reach the wall. @param {Wind} wind */
-function coefficients({ u, v, solid, grid: { columns, rows } }) {
-  const found = Float32Array.from(u, (x, k) => (solid[k] ? 0 : 1 - x * x - v[k] * v[k]));
+function coefficients({ alongX, alongY, solid, grid: { columns, rows } }) {
+  const found = Float32Array.from(alongX, (x, k) => (solid[k] ? 0 : 1 - x * x - alongY[k] * alongY[k]));
   const filled = Float32Array.from(found);
   for (let k = 0; k < found.length; k++) {
     if (!solid[k]) continue;
