@@ -60,7 +60,7 @@ test("every control has a name, and the page a title, a language and a descripti
   await close();
 });
 
-const pages = ["", "regions.html", "formula.html", "cortex.html", "flow.html"];
+const pages = ["", "regions.html", "formula.html", "cortex.html", "flow.html", "fields.html"];
 
 for (const [width, height] of /** @type {const} */ ([[390, 844], [360, 640]])) {
   for (const path of pages) {

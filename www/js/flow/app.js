@@ -11,6 +11,7 @@ import { Courier } from "../common/courier.js";
 import { workOffline } from "../common/offline.js";
 import { handOver } from "../common/saver.js";
 import { attempt, element, press, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
+import { power } from "../editor/evidence.js";
 import { contains, crossingEdges, simplify } from "../editor/geometry.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -127,7 +128,7 @@ function tell() {
   if (!basis) return;
   const { estimate, unknowns, ms } = basis;
   showEvidence([
-    ["Error, at most", estimate.toExponential(0).replace("e-", " · 10⁻").replace(/⁻(\d+)/, (_, n) => `⁻${[...n].map((d) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[d]).join("")}`), "of the potential, in units of the wind times the body’s size"],
+    ["Error, at most", power(estimate), "of the potential, in units of the wind times the body’s size"],
     ["Unknowns", String(unknowns), "densities on the walls, for every wind at once"],
     ["Computed in", `${ms.toFixed(0)} ms`, "all flows past these bodies; each turn of the wind adds them up anew"],
     ["Points", `${FINE.columns} × ${FINE.rows}`, "where the stream function was computed; velocities are its differences"],

@@ -2,6 +2,7 @@
 
 import { along, Board } from "../board.js";
 import { closed, deepEnough, ROOM } from "../shapes.js";
+import { power } from "../../editor/evidence.js";
 import { crossingEdges, mix, rightOf } from "../../editor/geometry.js";
 
 /** @typedef {import("../../common/frame.js").Point} Point */
@@ -57,19 +58,19 @@ function drawPlot(plot, place, solves) {
   const at = (unknowns, error) => [-0.68 + (1.5 * unknowns) / most, 0.8 + (1.55 * Math.log10(error)) / 13];
   const points = solves.map(({ unknowns, errorEstimate }) => at(unknowns, Math.min(1, errorEstimate)));
   const decades = [0, -3, -6, -9, -12];
-  plot.curves("net", decades.map((power) => along(at(0, 10 ** power), at(most * 1.05, 10 ** power), 1)));
+  plot.curves("net", decades.map((decade) => along(at(0, 10 ** decade), at(most * 1.05, 10 ** decade), 1)));
   plot.curves("one", [points]);
   plot.dots("mark", points, 5);
   plot.words([
-    ...decades.map((power) => /** @type {[string, Point]} */ ([power ? `10${superscript(power)}` : "1", [-0.93, at(0, 10 ** power)[1] - 0.02]])),
+    ...decades.map((decade) => /** @type {[string, Point]} */ ([decade ? `10${superscript(decade)}` : "1", [-0.93, at(0, 10 ** decade)[1] - 0.02]])),
     ["0", [-0.7, -0.87]],
     [String(most), [0.72, -0.87]],
     ["unknowns", [-0.1, -0.97]],
     ["error", [-0.93, 0.9]],
   ]);
   const last = solves[solves.length - 1];
-  place.say(`${last.unknowns} unknowns for an error of ${last.errorEstimate.toExponential(0).replace("e", " · 10^").replace(/\^(.*)/, (_, power) => superscript(Number(power)))}; each dot is a solve.`);
+  place.say(`${last.unknowns} unknowns for an error of ${power(last.errorEstimate)}; each dot is a solve.`);
 }
 
-/** @param {number} power */
-const superscript = (power) => String(power).replace(/./g, (digit) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(digit)] ?? "");
+/** @param {number} decade */
+const superscript = (decade) => String(decade).replace(/./g, (digit) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(digit)] ?? "");

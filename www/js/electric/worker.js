@@ -1,0 +1,6 @@
+// The worker of the page of electric fields.
+
+import { serveAnswers } from "../common/answering.js";
+import { answer } from "./answers.js";
+
+serveAnswers(answer);
