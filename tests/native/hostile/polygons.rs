@@ -113,7 +113,8 @@ fn boundaries_are_accepted_or_refused_whichever_way_they_are_written() {
             );
             let middle = 0.5 * (a + b);
             let away = (polygon.nearest(middle).point - middle).norm();
-            assert!(away <= 1e-15 * polygon.size(), "seed {seed}: the middle of edge {k} is {away:e} off");
+            // The middle is rounded, and so is its foot.
+            assert!(away <= 2e-15 * polygon.size(), "seed {seed}: the middle of edge {k} is {away:e} off");
         }
         // A center that is inside makes a region; one that is not is refused as such.
         let (low, high) = polygon.bounds();
