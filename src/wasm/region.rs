@@ -86,14 +86,15 @@ impl Region {
     #[wasm_bindgen(constructor)]
     pub fn new(options: Ts<RegionOptions>) -> Result<Self, Failure> {
         let RegionOptions { boundary, curve, holes, center, toward } = options::read(&options)?;
-        let boundary = points::from_flat("The boundary", &boundary)?;
         if holes.is_empty() {
             let given = |point: Option<Point>, name: &str| {
                 point.ok_or_else(|| Failure::option(name, &format!("The option \"{name}\" is missing.")))
             };
             let (center, toward) = (given(center, "center")?, given(toward, "toward")?);
+            let boundary = points::from_flat("The boundary", &boundary)?;
             return Ok(Self(Kind::Simple(plane::Region::new(&boundary, curve, center.into(), toward.into())?)));
         }
+        let boundary = points::from_flat("The boundary", &boundary)?;
         Ok(Self(Kind::Domain(directed(Domain::new(&boundary, &outlines(&holes)?, curve)?, center, toward)?)))
     }
 
