@@ -44,7 +44,7 @@ export function match(parent, items, create, update) {
 /** Places that were found out: asking again, after something was drawn, would lay the page out anew. @type {WeakMap<Event, Map<SVGSVGElement, Point>>} */
 const places = new WeakMap();
 
-/** Where a pointer is, in the pixels of an SVG that fills its box. @param {SVGSVGElement} root @param {MouseEvent} event @returns {Point} */
+/** Where a pointer is, in the pixels of an element that fills its box. @param {Element} root @param {MouseEvent} event @returns {Point} */
 export function pixelOf(root, event) {
   const known = places.get(event) ?? new Map();
   if (!known.size) places.set(event, known);

@@ -8,10 +8,13 @@ import { chooseOutline } from "./outline-text.js";
 /** What a page asks. @typedef {{ what: "outline", text: string }} OutlineQuestion */
 /** @typedef {Chosen | { refusal: string }} OutlineAnswer */
 
+/** The largest outline of a text; throws words where there is none. @param {string} text */
+export const chosenFrom = (text) => chooseOutline(text, (curve, tolerance) => unflatten(Region.parseOutline(curve, { tolerance })));
+
 /** @param {string} text @returns {OutlineAnswer} */
 export function readOutline(text) {
   try {
-    return chooseOutline(text, (curve, tolerance) => unflatten(Region.parseOutline(curve, { tolerance })));
+    return chosenFrom(text);
   } catch (error) {
     return { refusal: error instanceof Error ? error.message : String(error) };
   }

@@ -5,9 +5,9 @@ import { flatten } from "../common/frame.js";
 import { pointsOf } from "../flow/grid-field.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
-/** @typedef {import("../flow/grid-field.js").Grid} Grid */
+/** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("./conductors.js").Conductors} Conductors */
-/** @typedef {{ conductors: Conductors, potentials: number[], grid: Grid }} Question */
+/** @typedef {{ conductors: Conductors, potentials: number[], grid: Frame }} Question */
 /**
  * @typedef {object} Answer
  * @property {Float64Array} potential on the grid, NaN inside conductors

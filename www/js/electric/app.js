@@ -2,18 +2,20 @@
 
 import { conductors as ready } from "./conductors.js";
 import { ElectricView } from "./view.js";
-import { readAddress, wrongWords } from "../common/address.js";
+import { oneOf, readAddress, wrongWords } from "../common/address.js";
 import { Courier } from "../common/courier.js";
 import { workOffline } from "../common/offline.js";
 import { element, press, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
+import { onGrid, toPlane } from "../common/frame.js";
 import { handOver } from "../common/saver.js";
+import { pixelOf } from "../common/svg.js";
 import { power } from "../editor/evidence.js";
 import { contains } from "../editor/geometry.js";
 import { GridField, placeOf } from "../flow/grid-field.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./answers.js").Answer} Answer */
-/** @typedef {import("../flow/grid-field.js").Grid} Grid */
+/** @typedef {import("../common/frame.js").Frame} Frame */
 
 watchErrors();
 workOffline();
@@ -23,20 +25,15 @@ const view = new ElectricView(canvas);
 /** @type {import("./view.js").Shown} */
 let shown = { potential: true, levels: true, lines: true };
 
-const PLANE = { center: /** @type {Point} */ ([0, 0]), width: 6 };
-/** @type {Grid} */
-const GRID = { ...PLANE, columns: 180, rows: 108 };
+/** @type {Frame} */
+const GRID = { center: [0, 0], width: 6, pixels: [180, 108] };
 /** ε₀ in picofarads a metre. */
 const EPSILON = 8.854187817;
 /** Volts that a press on a conductor gives it in turn. */
 const NEXT = new Map([[1, -1], [-1, 0], [0, 1]]);
 
 const SCHEMA = {
-  /** @param {string} text */
-  set: (text) => {
-    if (!ready.has(text)) throw new Error(`must be one of ${[...ready.keys()].join(", ")}`);
-    return text;
-  },
+  set: oneOf(ready.keys()),
   /** @param {string} text */
   volts: (text) => {
     const volts = text.split(",").map(Number);
@@ -152,10 +149,8 @@ function charge(k) {
 }
 
 canvas.addEventListener("click", (event) => {
-  const box = canvas.getBoundingClientRect();
-  const size = PLANE.width / box.width;
-  /** @type {Point} */
-  const at = [(event.clientX - box.left - box.width / 2) * size, (box.height / 2 - (event.clientY - box.top)) * size];
+  const { width, height } = canvas.getBoundingClientRect();
+  const at = toPlane(onGrid(GRID, [width, height]), pixelOf(canvas, event));
   const all = drawn();
   const hit = all.findIndex(({ outline, around }) => !around && contains(outline, at));
   const shield = all.findIndex(({ outline, around }) => around && !contains(outline, at));

@@ -1,13 +1,13 @@
 // What the page of flows asks the package: flows to be added up, on a grid of points.
 
 import { PotentialFlow, Region } from "../../pkg/index.js";
-import { flatten, unflatten } from "../common/frame.js";
-import { chooseOutline } from "../editor/outline-text.js";
+import { flatten } from "../common/frame.js";
+import { chosenFrom } from "../editor/read-outline.js";
 import { pointsOf } from "./grid-field.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./bodies.js").Bodies} Bodies */
-/** @typedef {import("./grid-field.js").Grid} Grid */
+/** @typedef {import("../common/frame.js").Frame} Frame */
 /** The stream function ψ of a flow on the grid, NaN inside bodies, and on each body. @typedef {{ psi: Float64Array, walls: number[] }} Basic */
 /**
  * Every flow past the bodies is a sum of these: the winds along x and along y, and a turning around each body.
@@ -18,21 +18,17 @@ import { pointsOf } from "./grid-field.js";
  * @property {number} unknowns
  * @property {number} ms
  */
-/** @typedef {{ what: "basis", bodies: Bodies, grid: Grid } | { what: "outline", text: string }} Question */
+/** @typedef {{ what: "basis", bodies: Bodies, grid: Frame } | { what: "outline", text: string }} Question */
 
 /** For a picture; the estimate is shown. */
 const TOLERANCE = 1e-3;
 
 /** @param {Question} question @returns {any} */
 export function answer(question) {
-  if (question.what === "outline") {
-    const { outline, said } = chooseOutline(question.text, (text, tolerance) => unflatten(Region.parseOutline(text, { tolerance })));
-    return { outline, said };
-  }
-  return basis(question.bodies, question.grid);
+  return question.what === "outline" ? chosenFrom(question.text) : basis(question.bodies, question.grid);
 }
 
-/** @param {Bodies} bodies @param {Grid} grid @returns {Basis} */
+/** @param {Bodies} bodies @param {Frame} grid @returns {Basis} */
 function basis({ outlines, curve, trailing }, grid) {
   const begin = performance.now();
   const region = Region.exterior({ holes: outlines.map(flatten), curve });

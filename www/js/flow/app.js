@@ -9,7 +9,9 @@ import { Wind } from "./wind.js";
 import { readState, writeState } from "./state.js";
 import { Courier } from "../common/courier.js";
 import { workOffline } from "../common/offline.js";
+import { toPlane } from "../common/frame.js";
 import { handOver } from "../common/saver.js";
+import { pixelOf } from "../common/svg.js";
 import { attempt, element, press, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
 import { power } from "../editor/evidence.js";
 import { contains, crossingEdges, simplify } from "../editor/geometry.js";
@@ -17,7 +19,7 @@ import { contains, crossingEdges, simplify } from "../editor/geometry.js";
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./bodies.js").Bodies} Bodies */
 /** @typedef {import("./answers.js").Basis} Basis */
-/** @typedef {import("./grid-field.js").Grid} Grid */
+/** @typedef {import("../common/frame.js").Frame} Frame */
 
 watchErrors();
 workOffline();
@@ -48,9 +50,9 @@ let owners = new Uint8Array();
 /** @type {Point[] | null} */
 let stroke = null;
 
-/** @param {number} columns @returns {Grid} */
+/** @param {number} columns @returns {Frame} */
 function grid(columns) {
-  return { ...PLANE, columns, rows: Math.round(columns * 0.6) };
+  return { ...PLANE, pixels: [columns, Math.round(columns * 0.6)] };
 }
 
 const shownBodies = () => state.own ?? /** @type {Bodies} */ (ready.get(state.body));
@@ -60,7 +62,7 @@ function solve() {
   const bodies = shownBodies();
   statusOfPage.onState(wind ? "working" : "loading");
   statusOfPage.onProgress("begun");
-  /** @type {(on: Grid, last: boolean) => Promise<void>} */
+  /** @type {(on: Frame, last: boolean) => Promise<void>} */
   const ask = (on, last) =>
     courier.ask("basis", { what: "basis", bodies, grid: on }).then(
       (/** @type {Basis | null} */ found) => {
@@ -131,7 +133,7 @@ function tell() {
     ["Error, at most", power(estimate), "of the potential, in units of the wind times the body’s size"],
     ["Unknowns", String(unknowns), "densities on the walls, for every wind at once"],
     ["Computed in", `${ms.toFixed(0)} ms`, "all flows past these bodies; each turn of the wind adds them up anew"],
-    ["Points", `${FINE.columns} × ${FINE.rows}`, "where the stream function was computed; velocities are its differences"],
+    ["Points", FINE.pixels.join(" × "), "where the stream function was computed; velocities are its differences"],
   ]);
 }
 
@@ -215,11 +217,10 @@ element("draw").addEventListener("click", () => {
   draw();
 });
 
-/** @param {PointerEvent} event @returns {Point} */
+/** @param {PointerEvent} event */
 function pointAt(event) {
-  const box = canvas.getBoundingClientRect();
-  const size = PLANE.width / box.width;
-  return [(event.clientX - box.left - box.width / 2) * size, (box.height / 2 - (event.clientY - box.top)) * size];
+  const { width, height } = canvas.getBoundingClientRect();
+  return toPlane({ ...PLANE, pixels: [width, height] }, pixelOf(canvas, event));
 }
 
 /** The wind's angle when a drag began, and where that was: up and to the right it rises. @type {{ angle: number, at: number } | null} */
@@ -236,7 +237,7 @@ canvas.addEventListener("pointermove", (event) => {
   if (stroke) {
     stroke.push(pointAt(event));
     draw();
-    view.sketch(stroke, PLANE);
+    view.sketch(stroke);
   } else if (turning) {
     const angle = Math.max(-30, Math.min(30, turning.angle + (event.clientX - event.clientY - turning.at) * 0.1));
     change({ angle: Math.round(angle * 10) / 10 });

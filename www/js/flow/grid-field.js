@@ -1,8 +1,11 @@
 // A function on a grid of points around bodies, and its slopes, between points too.
 
-/** @typedef {import("../common/frame.js").Point} Point */
-/** Its points are the middles of square cells, rows from above. @typedef {{ center: Point, width: number, columns: number, rows: number }} Grid */
+import { flatten, scaleOf, toPixels, toPlane } from "../common/frame.js";
 
+/** @typedef {import("../common/frame.js").Frame} Frame */
+/** @typedef {import("../common/frame.js").Point} Point */
+
+/** The points are the middles of a frame's pixels. */
 export class GridField {
   grid;
   /** The function; inside bodies what it is on their walls. @type {Float64Array} */ values;
@@ -10,7 +13,7 @@ export class GridField {
   /** @type {Float64Array} */ alongY;
   /** Whether a point of the grid lies inside a body. @type {Uint8Array} */ solid;
 
-  /** @param {Grid} grid @param {Float64Array} values NaN inside bodies */
+  /** @param {Frame} grid @param {Float64Array} values NaN inside bodies */
   constructor(grid, values) {
     this.grid = grid;
     this.values = values;
@@ -20,8 +23,9 @@ export class GridField {
 
   /** Slopes by differences between points outside of bodies alone. */
   differentiate() {
-    const { values, alongX, alongY, solid, grid: { width, columns, rows } } = this;
-    const size = width / columns;
+    const { values, alongX, alongY, solid, grid } = this;
+    const [columns, rows] = grid.pixels;
+    const size = 1 / scaleOf(grid);
     /** @param {number} at @param {number} back @param {number} on */
     const slope = (at, back, on) => (on === back ? 0 : (values[on] - values[back]) / (size * (back !== at && on !== at ? 2 : 1)));
     for (let row = 0; row < rows; row++) {
@@ -45,10 +49,9 @@ export class GridField {
   }
 
   /** The slopes at a point, between those of the grid; null outside of it and inside bodies. @param {Point} point @returns {Point | null} */
-  slopes([x, y]) {
-    const { center, width, columns, rows } = this.grid;
-    const size = width / columns;
-    const [i, j] = [(x - center[0]) / size + columns / 2 - 0.5, rows / 2 - (y - center[1]) / size - 0.5];
+  slopes(point) {
+    const [columns, rows] = this.grid.pixels;
+    const [i, j] = toPixels(this.grid, point).map((pixel) => pixel - 0.5);
     const [left, top] = [Math.floor(i), Math.floor(j)];
     if (left < 0 || top < 0 || left + 1 >= columns || top + 1 >= rows) return null;
     const at = top * columns + left;
@@ -65,13 +68,14 @@ export class GridField {
   }
 }
 
-/** The place of a grid's point. @param {Grid} grid @param {number} k @returns {Point} */
-export function placeOf({ center, width, columns, rows }, k) {
-  const size = width / columns;
-  return [center[0] + ((k % columns) + 0.5 - columns / 2) * size, center[1] + (rows / 2 - Math.floor(k / columns) - 0.5) * size];
+/** The place of a grid's point. @param {Frame} grid @param {number} k */
+export function placeOf(grid, k) {
+  const [columns] = grid.pixels;
+  return toPlane(grid, [(k % columns) + 0.5, Math.floor(k / columns) + 0.5]);
 }
 
-/** The points of a grid, x, y, x, y, … @param {Grid} grid */
+/** The points of a grid, x, y, x, y, … @param {Frame} grid */
 export function pointsOf(grid) {
-  return Float64Array.from({ length: 2 * grid.columns * grid.rows }, (_, n) => placeOf(grid, n >> 1)[n & 1]);
+  const [columns, rows] = grid.pixels;
+  return flatten(Array.from({ length: columns * rows }, (_, k) => placeOf(grid, k)));
 }

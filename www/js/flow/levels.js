@@ -1,6 +1,6 @@
 // Lines on which a function on a grid has given values: marching squares.
 
-/** @typedef {import("./grid-field.js").Grid} Grid */
+/** @typedef {import("../common/frame.js").Frame} Frame */
 
 /** Edges of a cell that a line joins, for each way in which its corners may lie: corners from the top left on, clockwise. @type {[number, number][][]} */
 const CASES = [
@@ -9,10 +9,10 @@ const CASES = [
 ];
 
 /**
- * Pieces of the lines as x, y of both ends, in cells of the grid.
- * @param {Float64Array} values @param {Grid} grid @param {number[]} levels @returns {number[]}
+ * Pieces of the lines as x, y of both ends, in the grid's pixels.
+ * @param {Float64Array} values @param {Frame} grid @param {number[]} levels @returns {number[]}
  */
-export function levelPieces(values, { columns, rows }, levels) {
+export function levelPieces(values, { pixels: [columns, rows] }, levels) {
   /** @type {number[]} */
   const pieces = [];
   const sorted = [...levels].sort((a, b) => a - b);

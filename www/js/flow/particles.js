@@ -1,5 +1,7 @@
 // Specks that the fluid carries along.
 
+import { toPlane } from "../common/frame.js";
+
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./wind.js").Wind} Wind */
 /** A speck's way so far, the newest place last. @typedef {{ trail: Point[], age: number, life: number }} Speck */
@@ -35,10 +37,8 @@ export class Particles {
   }
 
   /** @param {Wind} wind @param {number} age @returns {Speck} */
-  #begin({ grid: { center, width, columns, rows } }, age) {
-    const height = (width * rows) / columns;
-    /** @type {Point} */
-    const at = [center[0] + (this.#random() - 0.5) * width, center[1] + (this.#random() - 0.5) * height];
+  #begin({ grid }, age) {
+    const at = toPlane(grid, /** @type {Point} */ (grid.pixels.map((count) => this.#random() * count)));
     return { trail: [at], age, life: LIFE * (0.5 + 0.5 * this.#random()) };
   }
 }

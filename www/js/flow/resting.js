@@ -1,5 +1,7 @@
 // Where the fluid rests on a body: between two points of its outline the velocity along it changes its sign.
 
+import { scaleOf } from "../common/frame.js";
+
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./wind.js").Wind} Wind */
 
@@ -8,7 +10,7 @@ const AWAY = 1.2;
 
 /** @param {Wind} wind @param {Point[][]} outlines @returns {Point[]} */
 export function restingPoints(wind, outlines) {
-  const away = (AWAY * wind.grid.width) / wind.grid.columns;
+  const away = AWAY / scaleOf(wind.grid);
   return outlines.flatMap((outline) => {
     const speeds = outline.map((from, k) => {
       const to = outline[(k + 1) % outline.length];

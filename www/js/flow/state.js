@@ -1,7 +1,7 @@
 // What the page of flows shows, and its place in the address.
 
 import { bodies as ready, bodyOf } from "./bodies.js";
-import { readAddress, wrongWords } from "../common/address.js";
+import { between, oneOf, readAddress, someOf, wrongWords } from "../common/address.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /**
@@ -19,27 +19,14 @@ import { readAddress, wrongWords } from "../common/address.js";
 /** @type {State} */
 const FIRST = { body: "wing", own: null, angle: 6, kutta: true, circulation: 0, pressure: true, lines: true, specks: true };
 
-/** @param {number} low @param {number} high */
-const number = (low, high) => (/** @type {string} */ text) => {
-  const value = text.trim() === "" ? NaN : Number(text);
-  if (!(value >= low && value <= high)) throw new Error(`must be from ${low} to ${high}`);
-  return value;
-};
+/** What is drawn beside the bodies. */
+const LAYERS = /** @type {const} */ (["pressure", "lines", "specks"]);
 
 const SCHEMA = {
-  /** @param {string} text */
-  body: (text) => {
-    if (!ready.has(text)) throw new Error(`must be one of ${[...ready.keys()].join(", ")}`);
-    return text;
-  },
-  angle: number(-30, 30),
-  circulation: number(-8, 8),
-  /** @param {string} text */
-  show: (text) => {
-    const names = text === "" ? [] : text.split(",");
-    if (names.some((name) => !["pressure", "lines", "specks"].includes(name))) throw new Error("must be made of pressure, lines, specks");
-    return names;
-  },
+  body: oneOf(ready.keys()),
+  angle: between(-30, 30),
+  circulation: between(-8, 8),
+  show: someOf(LAYERS),
   /** @param {string} text @returns {Point[]} */
   outline: (text) => {
     const points = text.split(";").map((pair) => pair.split(",").map(Number));
@@ -54,7 +41,7 @@ export function readState(hash) {
   const body = values.body ?? FIRST.body;
   const own = values.outline ? bodyOf("Your own", values.outline) : null;
   const edge = own !== null || ready.get(body)?.trailing !== null;
-  const shown = values.show ?? ["pressure", "lines", "specks"];
+  const shown = values.show ?? LAYERS;
   const state = {
     body,
     own,
@@ -72,7 +59,7 @@ export function readState(hash) {
 export function writeState({ body, own, angle, kutta, circulation, ...shown }) {
   const parts = [own ? `outline=${own.outlines[0].map(([x, y]) => `${x.toFixed(3)},${y.toFixed(3)}`).join(";")}` : `body=${body}`, `angle=${angle}`];
   if (!kutta) parts.push(`circulation=${circulation}`);
-  const names = /** @type {const} */ (["pressure", "lines", "specks"]).filter((name) => shown[name]);
-  if (names.length < 3) parts.push(`show=${names.join(",")}`);
+  const names = LAYERS.filter((name) => shown[name]);
+  if (names.length < LAYERS.length) parts.push(`show=${names.join(",")}`);
   return parts.join("&");
 }

@@ -4,7 +4,7 @@ import { GridField } from "./grid-field.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./answers.js").Basis} Basis */
-/** @typedef {import("./grid-field.js").Grid} Grid */
+/** @typedef {import("../common/frame.js").Frame} Frame */
 /** Circulations of the bodies; "kutta": those with which the fluid leaves at the trailing corners. @typedef {number[] | "kutta"} Circulation */
 
 /** Its values are those of the stream function ψ. */
@@ -13,7 +13,7 @@ export class Wind extends GridField {
   /** @type {number[]} */ circulation = [];
   /** ψ on each body. @type {number[]} */ walls = [];
 
-  /** @param {Grid} grid @param {Basis} basis */
+  /** @param {Frame} grid @param {Basis} basis */
   constructor(grid, basis) {
     super(grid, Float64Array.from(basis.flows[0].psi));
     this.#basis = basis;
