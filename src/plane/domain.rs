@@ -188,6 +188,14 @@ impl Domain {
             .unwrap_or(DomainPoint { component: 0, place: BoundaryPoint { edge: 0, t: 0.0, point: z } })
     }
 
+    /// The place on a component where so many of its edges, counter-clockwise and around as often as that takes, lie behind.
+    pub(crate) fn place_along(&self, component: usize, edges: f64) -> DomainPoint {
+        let count = self.contours[component].polygon().len();
+        let place = edges.rem_euclid(count as f64);
+        let edge = (place as usize).min(count - 1);
+        DomainPoint { component, place: BoundaryPoint { edge, t: place - edge as f64, point: Complex64::ZERO } }
+    }
+
     /// The polygons of its components, the region to the left of each.
     pub(crate) fn oriented_polygons(&self) -> Vec<Polygon> {
         let outer = |k: usize| self.bounded && k == 0;

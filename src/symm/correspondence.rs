@@ -158,6 +158,16 @@ impl BoundaryCorrespondence {
         sum
     }
 
+    /// Measure from vertex 0 → the edge and the share of it where that is reached; the inverse of
+    /// [`BoundaryCorrespondence::measure_on_edge`].
+    #[must_use]
+    pub fn locate_on_edge(&self, discretisation: &Discretisation, measure: f64) -> (usize, f64) {
+        let (q, tau) = self.locate(discretisation, measure);
+        let panel = &discretisation.panels[q];
+        let share = panel.distance_at(tau) / discretisation.boundary.lengths[panel.edge];
+        (panel.edge, if panel.outgoing { share } else { 1.0 - share })
+    }
+
     /// Measure → the panel and τ where it is reached; the inverse of [`BoundaryCorrespondence::measure`].
     #[must_use]
     pub fn locate(&self, discretisation: &Discretisation, measure: f64) -> (usize, f64) {

@@ -9,8 +9,9 @@ use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::{Discretisation, Target};
 use super::known::Known;
 use super::local_series::LocalSeries;
+use super::measure::Measure;
 use super::options::{Progress, SolveOptions};
-use super::panel::{Boundary, Panel};
+use super::panel::{Boundary, Panel, halved_towards};
 use super::potential::LogPotential;
 use super::rule::Rules;
 use super::solution::{ERROR_PER_RESIDUAL, Solution};
@@ -20,89 +21,6 @@ use crate::Result;
 use crate::plane::Complex64;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
-
-/// Harmonic measure seen from a center: what stays of a [`Solution`] when its matrices go.
-#[derive(Clone, Debug)]
-pub struct Measure {
-    /// The panels it lives on.
-    pub discretisation: Discretisation,
-    /// The center (scaled units).
-    pub center: Complex64,
-    /// Mass at each node.
-    pub masses: Vec<f64>,
-    /// θ along the boundary.
-    pub correspondence: BoundaryCorrespondence,
-    /// log f inside, by direct summation.
-    pub potential: LogPotential,
-    /// Of the map's error.
-    pub estimate: f64,
-}
-
-impl From<&Solution> for Measure {
-    fn from(solution: &Solution) -> Self {
-        Self {
-            discretisation: solution.discretisation().clone(),
-            center: solution.center,
-            masses: solution.masses.clone(),
-            correspondence: solution.correspondence.clone(),
-            potential: solution.potential.clone(),
-            estimate: solution.error_estimate,
-        }
-    }
-}
-
-impl Measure {
-    /// The potential as power series.
-    #[must_use]
-    pub fn series(&self) -> LocalSeries {
-        LocalSeries::new(&self.discretisation, &self.masses, &self.correspondence)
-    }
-
-    /// Measure from vertex 0 to the point of `edge` at the given distances from its ends.
-    #[must_use]
-    pub fn on_edge(&self, (edge, from_start, from_end): (usize, f64, f64)) -> f64 {
-        self.correspondence.measure_on_edge(&self.discretisation, edge, from_start, from_end)
-    }
-
-    /// Measure from vertex 0 → the edge and the share of it where that is reached.
-    #[must_use]
-    pub fn locate(&self, measure: f64) -> (usize, f64) {
-        let (q, tau) = self.correspondence.locate(&self.discretisation, measure);
-        let panel = &self.discretisation.panels[q];
-        let share = panel.distance_at(tau) / self.discretisation.boundary.lengths[panel.edge];
-        (panel.edge, if panel.outgoing { share } else { 1.0 - share })
-    }
-
-    /// Region → disk by direct summation (scaled units).
-    #[must_use]
-    pub fn map(&self, z: Complex64) -> Complex64 {
-        self.potential.map(&self.discretisation, self.center, z)
-    }
-
-    /// Bytes of memory, about.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        // Masses, coefficients of the correspondence, masses of the potential.
-        3 * std::mem::size_of_val(&self.masses[..]) + std::mem::size_of_val(&self.discretisation.panels[..])
-    }
-
-    /// What another center at `w` of the disk sees of panel `q`.
-    fn sight(&self, q: usize, w: Complex64) -> Sight {
-        let nodes = &self.discretisation.order.panel.nodes;
-        let p = nodes.len();
-        let angle = |tau: f64| TAU * self.correspondence.measure(&self.discretisation, q, tau);
-        let kernel = |theta: f64| (1.0 - w.norm_sqr()) / (Complex64::cis(theta) - w).norm_sqr();
-        let moved = |(mass, t): (&f64, &f64)| mass * kernel(angle(0.5 * (t + 1.0)));
-        let masses: Vec<f64> = self.masses[q * p..][..p].iter().zip(nodes).map(moved).collect();
-        let [a, b] = [angle(0.0), angle(1.0)];
-        // Between its ends where w looks at it.
-        let middle = 0.5 * (a + b);
-        let turn = w.arg() - middle;
-        let facing = middle + (turn - TAU * (turn / TAU).round()).clamp(-0.5 * (a - b).abs(), 0.5 * (a - b).abs());
-        let away = (Complex64::cis(facing) - w).norm();
-        Sight { mass: masses.iter().sum(), masses, away, extent: (a - b).abs() }
-    }
-}
 
 /// A panel of one center's seen from another.
 struct Sight {
@@ -166,7 +84,7 @@ pub fn solve_far(
     progress: Progress,
 ) -> Result<(Measure, LocalSeries)> {
     let w = near.map(center);
-    let sights: Vec<Sight> = (0..near.discretisation.panels.len()).map(|q| near.sight(q, w)).collect();
+    let sights: Vec<Sight> = (0..near.discretisation.panels.len()).map(|q| sight(near, q, w)).collect();
     let mut far = Far { near, center, sights, tolerance: options.tolerance, reach: 0.0, away: 0.0 };
     (far.reach, far.away) = (far.first_reach(), far.first_away(w));
     for _ in 0..MOST_ATTEMPTS {
@@ -212,7 +130,7 @@ impl Far<'_> {
     /// Distance of the center from the walls.
     fn clear(&self) -> f64 {
         let panels = &self.near.discretisation.panels;
-        panels.iter().map(|panel| distance(self.boundary(), panel, self.center)).fold(f64::INFINITY, f64::min)
+        panels.iter().map(|panel| panel.distance(self.boundary(), self.center)).fold(f64::INFINITY, f64::min)
     }
 
     /// Where the error of the nearer center's map, times the kernel, seen through the kernel, is a share of the tolerance.
@@ -245,8 +163,7 @@ impl Far<'_> {
             }
         }
         let beside = BESIDE * self.clear();
-        let is_seen =
-            |q: usize, mass: f64| mass > noise || distance(self.boundary(), &panels[q], self.center) <= beside;
+        let is_seen = |q: usize, mass: f64| mass > noise || panels[q].distance(self.boundary(), self.center) <= beside;
         let role = |(q, sight): (usize, &Sight)| match solved[q] {
             true if is_seen(q, sight.mass) => Role::Solved,
             true => Role::Doubtful,
@@ -269,7 +186,7 @@ impl Far<'_> {
                         last_seen =
                             Some(boundary.vertices[panel.corner] + panel.direction * (0.5 * (panel.start + panel.end)));
                     }
-                    (Role::Doubtful, Some(from)) if distance(boundary, panel, from) <= self.reach => reached[q] = true,
+                    (Role::Doubtful, Some(from)) if panel.distance(boundary, from) <= self.reach => reached[q] = true,
                     _ => last_seen = None,
                 }
             }
@@ -300,7 +217,9 @@ impl Far<'_> {
         let mut panels = Vec::new();
         for (panel, role) in coarsened(coarse, &fine, &counts) {
             if role == Role::Solved {
-                panels.extend(halved(boundary, panel, self.center).into_iter().map(|half| (half, role)));
+                panels.extend(
+                    halved_towards(self.center, LONGEST, boundary, vec![panel]).into_iter().map(|half| (half, role)),
+                );
             } else {
                 panels.push((panel, role));
             }
@@ -392,29 +311,25 @@ impl Far<'_> {
     }
 }
 
-/// Distance of a panel from a point.
-fn distance(boundary: &Boundary, panel: &Panel, z: Complex64) -> f64 {
-    let local = (z - boundary.vertices[panel.corner]) * panel.direction.conj();
-    (local - local.re.clamp(panel.start, panel.end)).norm()
-}
-
 /// Panels are halved at once until they are no longer than this times their distance from the center (measured: more of
 /// them would be halved by their residuals anyway).
 const LONGEST: f64 = 0.5;
 
-/// The panel in halves that are short against their distance from `center`, in boundary order.
-fn halved(boundary: &Boundary, panel: Panel, center: Complex64) -> Vec<Panel> {
-    let mut open = vec![panel];
-    let mut done = Vec::new();
-    while let Some(panel) = open.pop() {
-        if panel.length() <= LONGEST * distance(boundary, &panel, center) {
-            done.push(panel);
-        } else {
-            let [before, after] = panel.halves();
-            open.extend([after, before]);
-        }
-    }
-    done
+/// What another center at `w` of the first's disk sees of panel `q`.
+fn sight(first: &Measure, q: usize, w: Complex64) -> Sight {
+    let nodes = &first.discretisation.order.panel.nodes;
+    let p = nodes.len();
+    let angle = |tau: f64| TAU * first.correspondence.measure(&first.discretisation, q, tau);
+    let kernel = |theta: f64| (1.0 - w.norm_sqr()) / (Complex64::cis(theta) - w).norm_sqr();
+    let moved = |(mass, t): (&f64, &f64)| mass * kernel(angle(0.5 * (t + 1.0)));
+    let masses: Vec<f64> = first.masses[q * p..][..p].iter().zip(nodes).map(moved).collect();
+    let [a, b] = [angle(0.0), angle(1.0)];
+    // Between its ends where w looks at it.
+    let middle = 0.5 * (a + b);
+    let turn = w.arg() - middle;
+    let facing = middle + (turn - TAU * (turn / TAU).round()).clamp(-0.5 * (a - b).abs(), 0.5 * (a - b).abs());
+    let away = (Complex64::cis(facing) - w).norm();
+    Sight { mass: masses.iter().sum(), masses, away, extent: (a - b).abs() }
 }
 
 type Seen = (Panel, f64, Role);

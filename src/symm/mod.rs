@@ -18,7 +18,7 @@
 //!   ([`two_level`]) and products from stored entries ([`influence`]) or expansions ([`fast_multipole`], [`multipole`], [`clusters`]);
 //! - [`problem`] is what is solved for: harmonic measure, or another right-hand side of a region with holes;
 //! - [`solve`] refines ([`refinement`]) until the estimate meets the tolerance; [`center`] moves the center of what is
-//!   solved, and [`far_center`] moves it far, where most of the measure is [`known`] already;
+//!   solved, and [`far_center`] moves it far, where most of the [`measure`] is [`known`] already;
 //! - [`solution`] is the answer: [`correspondence`] on the boundary, [`potential`] inside, [`local_series`] there
 //!   as power series.
 //!
@@ -41,6 +41,7 @@ mod legendre;
 pub(crate) mod local_series;
 mod log_moments;
 mod lu;
+pub(crate) mod measure;
 mod multipole;
 pub mod options;
 mod order;

@@ -197,6 +197,13 @@ impl Panel {
         if self.exponent == 1.0 { 1.0 / self.length() } else { self.tau_at(s) / (self.exponent * (s - self.start)) }
     }
 
+    /// Distance from the point `z` (scaled units).
+    #[must_use]
+    pub fn distance(&self, boundary: &Boundary, z: Complex64) -> f64 {
+        let local = (z - boundary.vertices[self.corner]) * self.direction.conj();
+        (local - local.re.clamp(self.start, self.end)).norm()
+    }
+
     /// Whether doubles can tell places on its halves apart.
     #[must_use]
     pub fn can_be_halved(&self) -> bool {
@@ -213,11 +220,28 @@ impl Panel {
     }
 }
 
+/// The panels in halves that are no longer than `share` of their distance from `center` (scaled units), as far as they can be
+/// halved; in the same order.
+#[must_use]
+pub fn halved_towards(center: Complex64, share: f64, boundary: &Boundary, panels: Vec<Panel>) -> Vec<Panel> {
+    let mut done = Vec::with_capacity(panels.len());
+    let mut open: Vec<Panel> = panels.into_iter().rev().collect();
+    while let Some(panel) = open.pop() {
+        if panel.can_be_halved() && panel.length() > share * panel.distance(boundary, center) {
+            let [first, second] = panel.halves();
+            open.extend([second, first]);
+        } else {
+            done.push(panel);
+        }
+    }
+    done
+}
+
 /// Shortest panel, measured in its distance from the corner.
 const SHORTEST: f64 = 1e-13;
 
-/// First panels: at every corner one of `kappa` × its clearance, then panels that double in length up to mid-edge.
-/// The first panels, in boundary order from vertex 0.
+/// The first panels, in boundary order from vertex 0: at every corner one of `kappa` × its clearance, then panels that double in
+/// length up to mid-edge.
 #[must_use]
 pub fn initial_panels(boundary: &Boundary, kappa: f64) -> Vec<Panel> {
     let n = boundary.len();

@@ -60,11 +60,7 @@ impl Solution {
     /// Measure from vertex 0 → the edge and the share of it where that is reached.
     #[must_use]
     pub fn locate(&self, measure: f64) -> (usize, f64) {
-        let discretisation = self.discretisation();
-        let (q, tau) = self.correspondence.locate(discretisation, measure);
-        let panel = &discretisation.panels[q];
-        let share = panel.distance_at(tau) / discretisation.boundary.lengths[panel.edge];
-        (panel.edge, if panel.outgoing { share } else { 1.0 - share })
+        self.correspondence.locate_on_edge(self.discretisation(), measure)
     }
 
     /// Region → disk (vertex 0 ↦ 1) for a point inside, given the boundary point nearest to it (both in plane units).

@@ -4,7 +4,7 @@ use super::center::moved_measure;
 use super::discretisation::Discretisation;
 use super::options::{Progress, SolveOptions, Stop};
 use super::order::Order;
-use super::panel::{Boundary, Panel, initial_panels};
+use super::panel::{Boundary, Panel, halved_towards, initial_panels};
 use super::problem::Problem;
 use super::refinement::Refinement;
 use super::rule::Rules;
@@ -34,6 +34,9 @@ const STAGNATION_SHARE: f64 = 0.9;
 const ROUGH_SHARE: f64 = 0.05;
 /// Corner panels reach this far, measured in the clearance of their corner.
 const KAPPA: f64 = 1.0;
+/// Panels are no longer than this times their distance from the center: there the density is Poisson's kernel, whatever the
+/// region.
+const FACING: f64 = 1.0;
 
 /// Solves Symm's equation for `region`, refining until the error estimate meets the tolerance.
 ///
@@ -43,7 +46,7 @@ pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Res
     options.validate()?;
     let boundary = Arc::new(Boundary::new(region.polygon()));
     let center = region.center() * boundary.unit;
-    let panels = facing(&boundary, initial_panels(&boundary, KAPPA), center);
+    let panels = halved_towards(center, FACING, &boundary, initial_panels(&boundary, KAPPA));
     let mut rules = Rules::new(order_for(options, panels.len())?);
     let discretisation = Discretisation::new(boundary, panels, &mut rules);
     let system = Arc::new(System::new(discretisation, progress)?);
@@ -85,7 +88,7 @@ pub fn solve_problems(
     let mut panels = initial_panels(&boundary, KAPPA);
     for problem in &problems {
         for singular in problem.source.singularities() {
-            panels = facing(&boundary, panels, singular);
+            panels = halved_towards(singular, FACING, &boundary, panels);
         }
     }
     let mut rules = Rules::new(order_for(options, panels.len())?);
@@ -233,21 +236,4 @@ fn order_for(options: &SolveOptions, panels: usize) -> Result<Order> {
         });
     }
     Ok(Order::new(p, (digits + 3.0).min(15.5)))
-}
-
-/// Halves what is longer than its distance from the center: there the density is Poisson's kernel, whatever the region.
-fn facing(boundary: &Boundary, panels: Vec<Panel>, center: Complex64) -> Vec<Panel> {
-    let mut facing = Vec::with_capacity(panels.len());
-    let mut open: Vec<Panel> = panels.into_iter().rev().collect();
-    while let Some(panel) = open.pop() {
-        let from_corner = (center - boundary.vertices[panel.corner]) * panel.direction.conj();
-        let foot = from_corner.re.clamp(panel.start, panel.end);
-        if panel.can_be_halved() && panel.length() > (from_corner - foot).norm() {
-            let [first, second] = panel.halves();
-            open.extend([second, first]);
-        } else {
-            facing.push(panel);
-        }
-    }
-    facing
 }

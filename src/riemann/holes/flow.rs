@@ -1,8 +1,9 @@
 //! Flow of an ideal fluid past bodies.
 
 use super::field::DomainField;
+use super::peak::peak;
 use super::solved::{Evidence, Solved, evidence_methods};
-use crate::plane::{BoundaryPoint, Complex64, Domain, DomainPoint};
+use crate::plane::{Complex64, Domain, DomainPoint};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::problem::{Problem, Source};
 use crate::{Error, Result};
@@ -180,12 +181,7 @@ impl PotentialFlow {
     #[must_use]
     pub fn stagnation_points(&self) -> Vec<Complex64> {
         let contours = self.domain().contours();
-        let along = |component: usize, place: f64| {
-            let edges = contours[component].polygon().len();
-            let place = place.rem_euclid(edges as f64);
-            let edge = (place as usize).min(edges - 1);
-            DomainPoint { component, place: BoundaryPoint { edge, t: place - edge as f64, point: Complex64::ZERO } }
-        };
+        let along = |component: usize, place: f64| self.domain().place_along(component, place);
         let mut found = Vec::new();
         for (component, contour) in contours.iter().enumerate() {
             const SAMPLES: usize = 8;
@@ -208,7 +204,7 @@ impl PotentialFlow {
                     let laps = (place / edges as f64).floor();
                     sign * (phi(place) + turn * laps)
                 };
-                let place = extreme(&shifted, base - step, base + step);
+                let place = peak(&shifted, base - step, base + step);
                 let DomainPoint { place, .. } = along(component, place);
                 found.push(match contour.smooth() {
                     Some(curve) => curve.point(curve.parameter(place)),
@@ -224,20 +220,6 @@ impl PotentialFlow {
 }
 
 evidence_methods!(PotentialFlow, "of W, in units of the speed times the bodies' size.");
-
-/// Where a function that rises and then falls is largest, by golden section.
-fn extreme(value: &dyn Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    const GOLDEN: f64 = 0.618_033_988_749_894_8;
-    for _ in 0..60 {
-        let [a, b] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-        if value(a) > value(b) {
-            high = b;
-        } else {
-            low = a;
-        }
-    }
-    0.5 * (low + high)
-}
 
 /// Charges with which the densities' singular parts at the trailing vertices cancel.
 fn kutta_charges(domain: &Domain, solved: &Solved, trailing: &[usize]) -> Result<Vec<f64>> {

@@ -10,6 +10,7 @@ mod electrostatics;
 mod exterior;
 mod field;
 mod flow;
+mod peak;
 mod seeds;
 mod slits;
 mod solved;

@@ -2,8 +2,9 @@
 
 use super::canonical::{Canonical, Form, places, two_ways};
 use super::field::DomainField;
+use super::peak::peak;
 use super::solved::{Evidence, Scale, Solved, evidence_methods};
-use crate::plane::{BoundaryPoint, Complex64, Domain, DomainPoint};
+use crate::plane::{Complex64, Domain};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::problem::{Problem, Source};
 use crate::{Error, Result};
@@ -219,31 +220,14 @@ fn slits(field: &DomainField, kind: SlitKind, form: &Form) -> Vec<Slit> {
 
 /// Im B goes up and down once around a slit: its ends are the extremes.
 fn slit(field: &DomainField, component: usize, form: &Form) -> Slit {
-    let along = |place: f64| {
-        let edges = field.domain().contours()[component].polygon().len();
-        let place = place.rem_euclid(edges as f64);
-        let edge = (place as usize).min(edges - 1);
-        let place = BoundaryPoint { edge, t: place - edge as f64, point: Complex64::ZERO };
-        field.on_boundary(DomainPoint { component, place }).0
-    };
+    let along = |place: f64| field.on_boundary(field.domain().place_along(component, place)).0;
     let edges = field.domain().contours()[component].polygon().len();
     let extreme = |sign: f64| {
         const SAMPLES: usize = 16;
         let places = (0..edges * SAMPLES).map(|k| k as f64 / SAMPLES as f64);
         let value = |place: f64| sign * along(place).im;
         let best = places.max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap_or(0.0);
-        // Golden section between its neighbours.
-        let (mut low, mut high) = (best - 1.0 / SAMPLES as f64, best + 1.0 / SAMPLES as f64);
-        const GOLDEN: f64 = 0.618_033_988_749_894_8;
-        for _ in 0..60 {
-            let [a, b] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-            if value(a) > value(b) {
-                high = b;
-            } else {
-                low = a;
-            }
-        }
-        along(0.5 * (low + high))
+        along(peak(&value, best - 1.0 / SAMPLES as f64, best + 1.0 / SAMPLES as f64))
     };
     let image = |value: Complex64| {
         let key = form.factor * value + form.shift;
