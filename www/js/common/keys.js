@@ -1,5 +1,10 @@
 // The keys that work everywhere on a page.
 
+/** @typedef {import("./frame.js").Point} Point */
+
+/** Where the arrow keys lead in a plane. @type {Map<string, Point>} */
+export const ARROWS = new Map([["ArrowLeft", [-1, 0]], ["ArrowRight", [1, 0]], ["ArrowUp", [0, 1]], ["ArrowDown", [0, -1]]]);
+
 /** Ctrl Z, Ctrl Shift Z and Ctrl Y, but for those who type, and for a drawing that has its own. @param {() => void} undo @param {() => void} redo */
 export function onUndoKeys(undo, redo) {
   window.addEventListener("keydown", (event) => {

@@ -1,6 +1,7 @@
 // Which part of a plane a panel looks at, and how hands and keys move it.
 
 import { toPlane } from "./frame.js";
+import { ARROWS } from "./keys.js";
 
 /** @typedef {import("./frame.js").Frame} Frame */
 /** @typedef {import("./frame.js").Point} Point */
@@ -42,9 +43,7 @@ export function steered(frame, { key, shiftKey, ctrlKey, metaKey, altKey }, home
   if (key === "0") return home;
   if (key === "+" || key === "=") return zoomed(frame, middleOf(frame), 1 / KEY_ZOOM);
   if (key === "-") return zoomed(frame, middleOf(frame), KEY_ZOOM);
-  const direction = DIRECTIONS.get(key);
+  const direction = ARROWS.get(key);
   const step = (shiftKey ? 5 : 1) * KEY_STEP * frame.width;
   return direction ? { center: [frame.center[0] + step * direction[0], frame.center[1] + step * direction[1]], width: frame.width } : null;
 }
-
-const DIRECTIONS = new Map([["ArrowLeft", [-1, 0]], ["ArrowRight", [1, 0]], ["ArrowUp", [0, 1]], ["ArrowDown", [0, -1]]]);

@@ -7,7 +7,7 @@ import { acceptFiles } from "../common/files.js";
 import { toPlane } from "../common/frame.js";
 import { History } from "../common/history.js";
 import { addPicture, loadPicture } from "../common/images.js";
-import { onEscape, onUndoKeys } from "../common/keys.js";
+import { ARROWS, onEscape, onUndoKeys } from "../common/keys.js";
 import { attempt, element, pictureFor, press, remark, statusOfPage, watchErrors } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
 import { Probe } from "../common/probe.js";
@@ -283,9 +283,7 @@ function connectGaze() {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let keys;
   root.addEventListener("keydown", (event) => {
-    /** @type {Record<string, Point>} */
-    const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-    const step = steps[event.key];
+    const step = ARROWS.get(event.key);
     if (!step) return;
     event.preventDefault();
     const [x, y] = store.value.fixation;

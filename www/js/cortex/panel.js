@@ -1,7 +1,7 @@
 // One panel of the cortex: which map it shows, where that comes from, and how to change it.
 
 import { toPlane } from "../common/frame.js";
-import { onEscape } from "../common/keys.js";
+import { ARROWS, onEscape } from "../common/keys.js";
 import { pixelOf } from "../common/svg.js";
 import { Pen } from "../editor/pen.js";
 import { isOutline, MEASURED, models } from "./models.js";
@@ -109,9 +109,7 @@ export class CortexPanel {
     onEscape(() => release(false));
     root.addEventListener("keydown", (event) => {
       const handle = event.target instanceof SVGElement ? event.target.dataset.part : undefined;
-      /** @type {Record<string, Point>} */
-      const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-      const step = steps[event.key];
+      const step = ARROWS.get(event.key);
       if (!handle || !step || !this.#landmark) return;
       event.preventDefault();
       const { center, direction } = this.#landmark;

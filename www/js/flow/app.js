@@ -1,18 +1,19 @@
 // The page of flows: bodies in the wind.
 
 import { bodies as ready, bodyOf, placed } from "./bodies.js";
+import { placeOf } from "./grid-field.js";
 import { Particles } from "./particles.js";
 import { restingPoints } from "./resting.js";
-import { FlowView } from "./view.js";
-import { placeOf } from "./grid-field.js";
-import { Wind } from "./wind.js";
 import { readState, writeState } from "./state.js";
+import { FlowView } from "./view.js";
+import { Wind } from "./wind.js";
 import { Courier } from "../common/courier.js";
-import { workOffline } from "../common/offline.js";
 import { toPlane } from "../common/frame.js";
+import { onEscape } from "../common/keys.js";
+import { workOffline } from "../common/offline.js";
+import { attempt, element, press, remark, showEvidence, statusOfPage, tell, watchErrors } from "../common/page.js";
 import { handOver } from "../common/saver.js";
 import { pixelOf } from "../common/svg.js";
-import { attempt, element, press, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
 import { power } from "../editor/evidence.js";
 import { contains, crossingEdges, simplify } from "../editor/geometry.js";
 
@@ -75,7 +76,7 @@ function solve() {
         if (!last) return ask(FINE, true);
         statusOfPage.onState("ready", "");
         statusOfPage.onProgress(null);
-        tell();
+        showFigures();
       },
       (error) => {
         statusOfPage.onProgress(null);
@@ -126,7 +127,7 @@ function read() {
 /** @param {number} value @param {number} [digits] */
 const signed = (value, digits = 2) => value.toFixed(digits).replace("-", "−");
 
-function tell() {
+function showFigures() {
   if (!basis) return;
   const { estimate, unknowns, ms } = basis;
   showEvidence([
@@ -198,7 +199,7 @@ function take(text, name) {
   attempt(courier.ask("outline", { what: "outline", text }), (found) => {
     if (!found) return;
     own(name, placed(found.outline));
-    remark(found.said);
+    tell(found.said);
   });
 }
 
@@ -254,11 +255,12 @@ canvas.addEventListener("pointerup", () => {
   }
   own("Your own", outline);
 });
-window.addEventListener("keydown", (event) => {
-  if (event.key !== "Escape" || !stroke) return;
+onEscape(() => {
+  if (!stroke) return false;
   stroke = null;
   controls();
   draw();
+  return true;
 });
 
 // Time

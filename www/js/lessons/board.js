@@ -3,6 +3,7 @@
 import { match, pathData, pixelOf, set, svg } from "../common/svg.js";
 import { toPixels, toPlane } from "../common/frame.js";
 import { paint } from "../common/canvas.js";
+import { ARROWS } from "../common/keys.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /**
@@ -153,13 +154,10 @@ export class Board {
 
 /** @typedef {ReturnType<Board["handle"]>} Movable */
 
-/** @type {Record<string, Point>} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-
 /** @param {SVGGElement} group @param {() => Point} at @param {(to: Point) => void} move @param {number} step */
 function byKeys(group, at, move, step) {
   group.addEventListener("keydown", (event) => {
-    const arrow = ARROWS[event.key];
+    const arrow = ARROWS.get(event.key);
     if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     const far = event.shiftKey ? 5 * step : step;

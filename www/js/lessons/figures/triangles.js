@@ -2,6 +2,7 @@
 
 import { around, Board } from "../board.js";
 import { closed, deepEnough, ROOM } from "../shapes.js";
+import { meshEdges } from "../../common/layers.js";
 import { rightOf } from "../../editor/geometry.js";
 
 /** @typedef {import("../../common/frame.js").Point} Point */
@@ -19,9 +20,11 @@ export function mount(place) {
     right.curves("body", [closed(around([0, 0], 1))]);
     const shape = { boundary: ROOM, center: center.at, toward: rightOf(ROOM, center.at).point };
     place.ask({ what: "mesh", shape, spacing }, ({ source, target, triangles, evidence }) => {
-      const edges = edgesOf(triangles);
-      left.curves("net", edges.map(([a, b]) => [source[a], source[b]]));
-      right.curves("net", edges.map(([a, b]) => [target[a], target[b]]));
+      const edges = meshEdges(triangles);
+      /** @param {Point[]} nodes */
+      const lines = (nodes) => Array.from({ length: edges.length / 2 }, (_, k) => [nodes[edges[2 * k]], nodes[edges[2 * k + 1]]]);
+      left.curves("net", lines(source));
+      right.curves("net", lines(target));
       const flips = evidence.flippedAtFirst ? `${evidence.flippedAtFirst} turned over at first and were mended` : "none turned over";
       place.say(`${triangles.length / 3} triangles, ${flips}. Off the map by at most ${evidence.largestError.toPrecision(2)} of the disk’s radius.`);
     });
@@ -32,17 +35,4 @@ export function mount(place) {
     draw();
   });
   draw();
-}
-
-/** Each edge once. @param {Uint32Array} triangles */
-function edgesOf(triangles) {
-  /** @type {Map<string, [number, number]>} */
-  const edges = new Map();
-  for (let k = 0; k < triangles.length; k += 3) {
-    for (let j = 0; j < 3; j++) {
-      const [a, b] = [triangles[k + j], triangles[k + ((j + 1) % 3)]].sort((p, q) => p - q);
-      edges.set(`${a},${b}`, [a, b]);
-    }
-  }
-  return [...edges.values()];
 }
