@@ -20,6 +20,7 @@ import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
 import { defaultRegion, photoRegion, READ, shapeRegion } from "../editor/presets.js";
 import { makeRegion, towardPoint } from "../editor/region.js";
+import { offerRepair } from "../editor/repair-button.js";
 import { NOTHING_SHOWN, Store } from "../editor/store.js";
 import { drawingFields, drawingSchema, encodeDrawing, encodeShown, shownOf, shownSchema } from "../editor/url.js";
 import { Controls } from "./controls.js";
@@ -95,6 +96,7 @@ async function start() {
   store.begin(doc);
   store.shown = shown;
   store.subscribe(onChange);
+  offerRepair(store, element("photo-stage"));
   acceptFiles(element("file"), element("photo-stage"), (file) => openPicture(addPicture(file)), { take: (text, name) => outlines.take(text, name), looksLike: looksLikeOutline });
   offerToSave({
     name: "disk",

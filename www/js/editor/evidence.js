@@ -71,7 +71,7 @@ export function probeWords(reading) {
 
 /** What is wrong and what to do, by the error's code. @type {Map<string, string>} */
 const WORDS = new Map([
-  ["self-intersecting", "These two red edges cross or touch. Drag a point until they no longer do, or undo."],
+  ["self-intersecting", "These two red edges cross or touch. Drag a point until they no longer do, press Repair outline, or undo."],
   ["center-outside", "The round end of the vector lies outside the outline. Drag it back inside."],
   ["too-few-vertices", "Fewer than three corners are apart from each other. Drag them apart, or draw a new region."],
   ["negative-mass", "No trustworthy map was found: part of the outline is too far out of the centre’s sight. Drag the round end of the vector nearer to it, or make the narrow places wider."],

@@ -47,27 +47,73 @@ export function contains(polygon, [x, y]) {
   return inside;
 }
 
-/** @param {Point} a @param {Point} b @param {Point} c @param {Point} d whether the segments ab and cd meet */
-function meet(a, b, c, d) {
+/** Points count as one that are this near, as a share of the polygon's size. */
+const SAME = 1e-12;
+
+/**
+ * Where two edges that are no neighbours meet, or an edge folds back on the one before it.
+ * @typedef {{ first: number, second: number, at: Point, crossing: boolean }} Meeting `crossing`: they go through each other instead of touching
+ */
+
+/** Where the segments ab and cd meet, if they do; `near` counts as touching. @param {Point} a @param {Point} b @param {Point} c @param {Point} d @param {number} near @returns {{ at: Point, crossing: boolean } | null} */
+function meeting(a, b, c, d, near) {
   const [p, q, r, s] = [turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)];
-  return p > 0 !== q > 0 && r > 0 !== s > 0;
+  const apart = p > 0 === q > 0 || r > 0 === s > 0;
+  if (!apart && p && q && r && s) return { at: mix(c, d, p / (p - q)), crossing: true };
+  // Boxes that are apart need no closer look.
+  if (Math.max(a[0], b[0]) + near < Math.min(c[0], d[0]) || Math.max(c[0], d[0]) + near < Math.min(a[0], b[0])) return null;
+  if (Math.max(a[1], b[1]) + near < Math.min(c[1], d[1]) || Math.max(c[1], d[1]) + near < Math.min(a[1], b[1])) return null;
+  /** @type {[Point, Point, Point][]} */
+  const ends = [[a, c, d], [b, c, d], [c, a, b], [d, a, b]];
+  const touching = ends.find(([end, from, to]) => offSegment(end, from, to) <= near);
+  return touching ? { at: touching[0], crossing: false } : null;
 }
 
-/** The edges that cross another one that is not their neighbour. @param {Point[]} polygon @returns {Set<number>} */
-export function crossingEdges(polygon) {
+/** How far p lies from the segment ab. @param {Point} p @param {Point} a @param {Point} b */
+export function offSegment(p, a, b) {
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+  const length2 = dx * dx + dy * dy;
+  const t = length2 ? Math.min(1, Math.max(0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length2)) : 0;
+  return Math.hypot(a[0] + dx * t - p[0], a[1] + dy * t - p[1]);
+}
+
+/** Every place where the polygon meets itself. @param {Point[]} polygon @returns {Meeting[]} */
+export function meetings(polygon) {
   const n = polygon.length;
-  /** @type {Set<number>} */
-  const bad = new Set();
+  const near = SAME * sizeOf(polygon);
+  /** @type {Map<number, Meeting>} */
+  const found = new Map();
   for (const edges of cellsOf(polygon)) {
     for (let a = 0; a < edges.length; a++) {
       for (let b = a + 1; b < edges.length; b++) {
-        const [i, j] = [edges[a], edges[b]];
-        if (j - i < 2 || (i === 0 && j === n - 1)) continue;
-        if (meet(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n])) bad.add(i).add(j);
+        const [first, second] = [edges[a], edges[b]];
+        if (second - first < 2 || (first === 0 && second === n - 1) || found.has(first * n + second)) continue;
+        const met = meeting(polygon[first], polygon[first + 1], polygon[second], polygon[(second + 1) % n], near);
+        if (met) found.set(first * n + second, { first, second, ...met });
       }
     }
   }
-  return bad;
+  polygon.forEach((tip, k) => {
+    const before = (k + n - 1) % n;
+    if (spikeWidth(polygon[before], tip, polygon[(k + 1) % n]) <= near) found.set(before * n + k, { first: before, second: k, at: tip, crossing: false });
+  });
+  return [...found.values()];
+}
+
+/** How wide a spike is at the end of its shorter side; infinite where the outline does not turn back at its tip. @param {Point} before @param {Point} tip @param {Point} after */
+export function spikeWidth(before, tip, after) {
+  const [u, v, x, y] = [before[0] - tip[0], before[1] - tip[1], after[0] - tip[0], after[1] - tip[1]];
+  if (u * x + v * y <= 0) return Infinity;
+  return Math.abs(u * y - v * x) / Math.max(Math.hypot(u, v), Math.hypot(x, y));
+}
+
+/** The edges that meet another one where they should not. @param {Point[]} polygon @returns {Set<number>} */
+export const crossingEdges = (polygon) => new Set(meetings(polygon).flatMap(({ first, second }) => [first, second]));
+
+/** The longer side of the box around the points. @param {Point[]} points */
+export function sizeOf(points) {
+  const { left, low, right, high } = boxOf(points);
+  return Math.max(right - left, high - low);
 }
 
 /** A grid over the polygon, about as many cells as edges: for each cell the edges that may pass it, in order. @param {Point[]} polygon @returns {Iterable<number[]>} */

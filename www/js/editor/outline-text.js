@@ -1,6 +1,6 @@
 // Outlines that come as text: GeoJSON, WKT, columns of numbers, airfoils, SVG. All that a text has are read; the largest is taken.
 
-import { area, distance, simplify } from "./geometry.js";
+import { area, distance, simplify, sizeOf } from "./geometry.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** Reads one curve: SVG, the data of an SVG path, JSON; `tolerance` in its units. @typedef {(text: string, tolerance: number) => Point[]} CurveReader */
@@ -264,14 +264,6 @@ function thinned(outline) {
     kept = [...simplify(outline.slice(0, far + 1), slack).slice(0, -1), ...simplify([...outline.slice(far), outline[0]], slack).slice(0, -1)];
   }
   return kept;
-}
-
-/** @param {Point[]} points */
-function sizeOf(points) {
-  const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
-  /** @param {number[]} values */
-  const span = (values) => values.reduce((most, value) => Math.max(most, value), -Infinity) - values.reduce((least, value) => Math.min(least, value), Infinity);
-  return Math.max(span(xs), span(ys));
 }
 
 /** Of the photo, how much an outline fills. */

@@ -10,6 +10,7 @@ import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
 import { defaultRegion, listShapes, READ, shapeRegion } from "../editor/presets.js";
 import { makeRegion, towardPoint } from "../editor/region.js";
+import { offerRepair } from "../editor/repair-button.js";
 import { NOTHING_SHOWN, Store } from "../editor/store.js";
 
 /** @typedef {import("../common/images.js").Picture} Picture */
@@ -44,6 +45,7 @@ export class Side {
     });
     this.#photo = new PhotoChoice(/** @type {HTMLSelectElement} */ (this.#find("choose-photo")), (id) => this.#open(loadPicture(id)));
     this.#connect(() => wishOutline(this));
+    offerRepair(store, this.#find("stage"));
   }
 
   /** Goes to another document. @param {Document} doc @param {number} [step] shared with the other side */
