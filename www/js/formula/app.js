@@ -14,9 +14,12 @@ import { Probe, readingWords } from "../common/probe.js";
 import { menuOf } from "../common/menu.js";
 import { probeRow } from "../common/probe-menu.js";
 import { offerToSave } from "../common/save-menu.js";
+import { playButton } from "../common/player.js";
 import { Scheduler } from "../common/scheduler.js";
 import { showGallery } from "./gallery.js";
+import { morphed } from "./morph.js";
 import { showParams } from "./params.js";
+import { PictureHandles } from "./picture-handles.js";
 import { lattice, loadSquare } from "./square.js";
 import { decode, encode, fromPreset } from "./state.js";
 
@@ -32,6 +35,18 @@ const FIRST = "droste";
 const SURROUNDINGS = 2;
 /** The view that 0 goes to. @type {import("../common/placement.js").Placement} */
 const HOME = { center: [0, 0], width: 4 };
+/** The controls that are choices, and sliders, by the parts of the state that they show. */
+const SELECTS = /** @type {const} */ (["direction", "wrap", "colours", "lines"]);
+const RANGES = /** @type {const} */ (["density", "morph"]);
+/** What the planes are, in bold, and more of it. @type {Record<"picture" | State["direction"], [string, string][]>} */
+const CAPTIONS = {
+  picture: [["The picture", " in its plane"], ["Warped by f", ": drag to move, click and scroll to zoom"]],
+  "pull-back": [["The plane of values", ": the key to the colours"], ["f(z) at each z", ": drag to move, click and scroll to zoom"]],
+  "push-forward": [["f(z) at each z", ""], ["The plane of values", ": the key to the colours"]],
+};
+
+/** The way from z to f(z) takes so long, in seconds. */
+const WAY = 3;
 /** The address follows when nothing has changed for this long, in milliseconds. */
 const REST = 160;
 
@@ -61,9 +76,9 @@ const target = new PlaneView(element("target"), element("target-marks"), (view) 
 /** @type {Scheduler<Job, Result>} */
 const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWords: ({ message }) => message }, 1);
 const probe = new Probe(source, target, () => ({ carry }), (reading) => {
-  const hint = state.direction === "pull-back" ? "Point at the right picture: a mark shows where its colours come from." : "Point at the left picture: a mark shows where it goes.";
-  element("reading").textContent = reading ? readingWords(reading, "picture") : hint;
+  element("reading").textContent = reading ? readingWords(reading, "picture") : "Point at either picture: marks show what belongs together.";
 });
+const handles = new PictureHandles(source, () => state.texture, (texture) => change({ texture, around: state.around ?? surroundings() }));
 const photoChoice = new PhotoChoice(element("choose-photo"), (image) => open(loadSquare(image)), [["lattice", "Lattice"]]);
 
 connectControls();
@@ -124,6 +139,7 @@ function show(remembering) {
   probe.hide();
   source.look(state.around ?? surroundings());
   source.outline(state.texture);
+  handles.draw();
   target.look(state.view);
   updateControls();
   scheduler.run(jobOf, picture, true);
@@ -138,15 +154,24 @@ function surroundings() {
 
 /** @param {import("../common/scheduler.js").Care} care @returns {Omit<Job, "version" | "fine">} */
 function jobOf({ sharpness }) {
-  const { formula, params, direction, wrap, lines, texture } = state;
+  const { formula, params, direction, wrap, colours, lines, density, morph, texture } = state;
   const placed = { ...texture, pixels: picture.frame.pixels };
-  return { formula, params, direction, wrap, lines, texture: placed, source: source.view(sharpness), target: target.view(sharpness) };
+  return { formula: morphed(formula, morph), params, direction, wrap, colours, lines, density, texture: placed, source: source.view(sharpness), target: target.view(sharpness) };
 }
 
-/** Points as the map takes them: from the plane on which it is evaluated to the other. @param {import("../common/probe.js").Side} side @param {import("../common/frame.js").Point[]} points */
+/** How fast what is played moves. */
+function speed() {
+  return Number(/** @type {HTMLSelectElement} */ (element("speed")).value);
+}
+
+/** Points as the map takes them from the plane on which it is evaluated to the other; back, to one of the points that it takes there. @param {import("../common/probe.js").Side} side @param {import("../common/frame.js").Point[]} points */
 function carry(side, points) {
-  const { formula, params, direction } = state;
-  return side === (direction === "pull-back" ? "target" : "source") ? scheduler.ask({ what: "points", formula, params, points }) : [];
+  const { params, direction, morph, view } = state;
+  const formula = morphed(state.formula, morph);
+  const pulling = direction === "pull-back";
+  if (side === (pulling ? "target" : "source")) return scheduler.ask({ what: "points", formula, params, points });
+  const { center, width } = pulling ? view : source.frame;
+  return scheduler.ask({ what: "back", formula, params, points, within: { center, width } });
 }
 
 /** @param {Result} result @param {boolean} done */
@@ -156,7 +181,8 @@ function onResult(result, done) {
   probe.refresh();
   const kind = compiled.analytic ? "Analytic: angles are kept." : "Not analytic: angles are bent.";
   const time = result.warpMs < 1000 ? `${Math.max(1, Math.round(result.warpMs))} ms` : `${(result.warpMs / 1000).toFixed(1)} s`;
-  element("evidence").textContent = `${kind} ${done ? `Drawn in ${time}, four samples a pixel.` : "This is a coarse picture."}`;
+  const way = state.morph === 1 ? "" : ` On the way: h(z) = (1 − s) z + s f(z), with s = ${state.morph.toFixed(2)}.`;
+  element("evidence").textContent = `${kind}${way} ${done ? `Drawn in ${time}${state.colours === "picture" ? ", four samples a pixel" : ""}.` : "This is a coarse picture."}`;
 }
 
 function connectControls() {
@@ -166,10 +192,23 @@ function connectControls() {
   const file = /** @type {HTMLInputElement} */ (element("file"));
   element("open").onclick = () => file.click();
   acceptFiles(file, element("source-stage"), (chosen) => open(addPicture(chosen).then(({ id }) => loadSquare(id))));
-  for (const name of /** @type {const} */ (["direction", "wrap", "lines"])) {
+  for (const name of SELECTS) {
     const select = /** @type {HTMLSelectElement} */ (element(name));
     select.onchange = () => change({ [name]: select.value });
   }
+  for (const name of RANGES) {
+    const slider = /** @type {HTMLInputElement} */ (element(name));
+    slider.oninput = () => change({ [name]: Number(slider.value) });
+  }
+  element("morph").after(playButton("the way from z to f(z)", (seconds) => {
+    const morph = Math.min(1, (state.morph === 1 ? 0 : state.morph) + (speed() * seconds) / WAY);
+    change({ morph });
+    return morph < 1;
+  }));
+  // What an example shows is to be seen.
+  document.querySelector("main")?.addEventListener("click", ({ target }) => {
+    if (target instanceof Element && target.closest('a[href^="#"]')) element("panels").scrollIntoView({ block: "center", behavior: matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth" });
+  });
   element("home").onclick = () => change({ view: HOME, around: null });
   offerToSave({
     name: "formula",
@@ -192,8 +231,15 @@ function connectControls() {
 
 function updateControls() {
   photoChoice.show(picture);
-  for (const name of /** @type {const} */ (["direction", "wrap", "lines"])) /** @type {HTMLSelectElement} */ (element(name)).value = state[name];
-  showParams(element("params"), state.params, (name, value) => change({ params: { ...state.params, [name]: value } }));
+  for (const name of SELECTS) /** @type {HTMLSelectElement} */ (element(name)).value = state[name];
+  for (const name of RANGES) /** @type {HTMLInputElement} */ (element(name)).value = String(state[name]);
+  const photo = state.colours === "picture";
+  element("panels").dataset.colours = photo ? "picture" : "values";
+  CAPTIONS[photo ? "picture" : state.direction].forEach(([strong, rest], k) => {
+    const [bold, words] = element(k ? "target-words" : "source-words").children;
+    [bold.textContent, words.textContent] = [strong, rest];
+  });
+  showParams(element("params"), state.params, (name, value) => change({ params: { ...state.params, [name]: value } }), speed);
   const preset = presets.find(({ formula, direction, view }) => formula === state.formula && direction === state.direction && view.width === state.view.width);
   element("shows").textContent = preset?.shows ?? "";
 }

@@ -5,33 +5,41 @@
 
 /** Points along a line. */
 const STEPS = 600;
-/** Lines each way, at most; rays and rings of a polar grid. */
-const MOST = 48;
-const RAYS = 24;
+/** Lines each way, at most. */
+const MOST = 96;
+/** Rings of a polar grid. */
+const RINGS = 24;
 
-/** @param {Frame} view @param {Lines} kind square unless it is "polar" @param {number} spacing of the square one @returns {Float64Array[]} */
-export function gridLines({ center: [x, y], width, pixels }, kind, spacing) {
+/** Rays of a polar grid as dense as a square one; an even number, so that a chessboard closes up. @param {number} density */
+export const spokesOf = (density) => 2 * Math.round(0.75 * density);
+
+/** @param {Frame} view @param {Lines} kind @param {{ density: number, texture: { width: number } }} look @returns {Float64Array[]} */
+export function gridLines({ center: [x, y], width, pixels }, kind, { density, texture }) {
+  if (kind === "none" || kind === "stretch" || kind === "argument") return [];
   const height = (width * pixels[1]) / pixels[0];
   const [left, low] = [x - width / 2, y - height / 2];
   /** @param {(share: number) => [number, number]} at */
   const line = (at) => new Float64Array(Array.from({ length: STEPS + 1 }, (_, k) => at(k / STEPS)).flat());
-  if (kind === "polar") {
+  if (kind === "polar" || kind === "modulus" || kind === "phase") {
     const reach = Math.hypot(Math.abs(x) + width / 2, Math.abs(y) + height / 2);
     /** @param {number} radius @param {number} angle @returns {[number, number]} */
     const polar = (radius, angle) => [radius * Math.cos(angle), radius * Math.sin(angle)];
-    const step = (2 * Math.PI) / RAYS;
-    const rings = Array.from({ length: RAYS }, (_, k) => reach * Math.exp(-step * k));
+    const spokes = spokesOf(density);
+    const step = (2 * Math.PI) / spokes;
+    // The unit circle is one of them.
+    const outermost = Math.exp(step * Math.floor(Math.log(reach) / step));
+    const rings = Array.from({ length: RINGS }, (_, k) => outermost * Math.exp(-step * k));
     return [
-      ...Array.from({ length: RAYS }, (_, k) => line((s) => polar(reach * Math.exp(-step * RAYS * (1 - s)), k * step))),
-      ...rings.map((radius) => line((s) => polar(radius, 2 * Math.PI * s))),
+      ...(kind === "modulus" ? [] : Array.from({ length: spokes }, (_, k) => line((s) => polar(reach * Math.exp(-step * RINGS * (1 - s)), k * step)))),
+      ...(kind === "phase" ? [] : rings.map((radius) => line((s) => polar(radius, 2 * Math.PI * s)))),
     ];
   }
-  const step = Math.max(spacing, Math.max(width, height) / MOST);
+  const step = Math.max(texture.width / density, Math.max(width, height) / MOST);
   /** @param {number} from @param {number} to */
   const multiples = (from, to) => Array.from({ length: Math.max(0, Math.floor(to / step) - Math.ceil(from / step) + 1) }, (_, k) => (Math.ceil(from / step) + k) * step);
   return [
-    ...multiples(left, left + width).map((u) => line((s) => [u, low + s * height])),
-    ...multiples(low, low + height).map((v) => line((s) => [left + s * width, v])),
+    ...(kind === "imaginary" ? [] : multiples(left, left + width).map((u) => line((s) => [u, low + s * height]))),
+    ...(kind === "real" ? [] : multiples(low, low + height).map((v) => line((s) => [left + s * width, v]))),
   ];
 }
 

@@ -3,30 +3,39 @@
 import { FormulaMap, presets, Texture } from "../../pkg/index.js";
 import { flatten, onGrid, scaledTo, unflatten } from "../common/frame.js";
 import { compile } from "./compile.js";
-import { gridLines, unbroken } from "./grid.js";
+import { gridLines, spokesOf, unbroken } from "./grid.js";
+import { preimage } from "./inverse.js";
+import { drawLevels, portray, valuesOver } from "./portrait.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../../pkg/index.js").Direction} Direction */
 /** @typedef {import("../../pkg/index.js").Quality} Quality */
 /** @typedef {import("../../pkg/index.js").Wrap} Wrap */
-/** @typedef {"none" | "cartesian" | "polar" | "stretch" | "argument"} Lines what is drawn over the pictures */
+/** @typedef {import("./portrait.js").Part} Part */
+/** @typedef {"picture" | import("./portrait.js").Scheme} Colours what the planes show */
+/** @typedef {"none" | "cartesian" | "polar" | Part | "stretch" | "argument"} Lines what is drawn over that */
 /** @typedef {{ formula: string, params: Record<string, Point> }} Typed */
 /**
  * @typedef {Typed & {
- *   version: number, fine: boolean, direction: Direction, wrap: Wrap, lines: Lines, texture: Frame, source: Frame, target: Frame
+ *   version: number, fine: boolean, direction: Direction, wrap: Wrap, colours: Colours, lines: Lines, density: number,
+ *   texture: Frame, source: Frame, target: Frame
  * }} Job
  * `version`: which state of the page this is for; `texture`: where the picture lies; `source`, `target`: the views of the
  * texture's plane and of the warped one
  */
 /** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
 /** @typedef {{ version: number, source: Frame, target: Frame, sourcePixels: Pixels, targetPixels: Pixels, warpMs: number }} Result */
-/** @typedef {{ what: "presets" } | { what: "compile", text: string, params: Record<string, Point> } | { what: "points" } & Typed & { points: Point[] }} Question */
+/** @typedef {{ what: "presets" } | { what: "compile", text: string, params: Record<string, Point> } | ({ what: "points" } & Typed & { points: Point[] }) | ({ what: "back" } & Typed & { points: Point[], within: import("../common/placement.js").Placement })} Question */
 /** @typedef {import("../common/serve.js").Talk<Result>} Talk */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
 
 /** Heat and argument leave this much of the picture to be seen. */
 const OPACITY = 0.55;
+/** Lines over a photo are light, over colours that are light themselves dark. @type {Record<"photo" | "colours", import("./portrait.js").Ink>} */
+const INKS = { photo: [255, 255, 255, 200], colours: [16, 18, 26, 190] };
+/** Lines of one kind alone are so much thicker than those of a grid. */
+const LINE = 2;
 /** Pixels a side of the first picture, which tells how slow the formula is. */
 const FIRST = 24;
 /** A draft may take about this long, a fine picture without coarser ones before it; in milliseconds. */
@@ -95,9 +104,9 @@ export class FormulaPipeline {
   async plate(job) {
     const texture = this.#texture(job.wrap);
     const map = new FormulaMap(job.formula, { params: job.params });
-    const { target: view, direction, lines, texture: frame } = job;
+    const { target: view, direction, lines, colours, texture: frame } = job;
     const pulling = direction === "pull-back";
-    const straight = job.drawing ? gridLines(pulling ? view : job.source, lines, frame.width / 8) : [];
+    const straight = job.drawing ? gridLines(pulling ? view : job.source, lines, job) : [];
     const bent = straight.flatMap((line) => unbroken(map.eval(line)));
     const panels = [
       { name: "picture", frame: scaledTo(job.source, view.pixels[0]), layers: inked(pulling ? bent : straight) },
@@ -105,8 +114,8 @@ export class FormulaPipeline {
     ];
     return {
       frame: view,
-      band: pulling ? 128 : Math.min(view.pixels[1], WHOLE),
-      draw: (rows) => map.warp(texture, { texture: frame, view, direction, quality: "best", rows }),
+      band: pulling || colours !== "picture" ? 128 : Math.min(view.pixels[1], WHOLE),
+      draw: (rows) => (colours === "picture" ? map.warp(texture, { texture: frame, view, direction, quality: "best", rows }) : coloured(pulling ? map : null, job, { view, rows })),
       tint: lines === "none" ? null : (rows) => overlaid(map, job, view, rows),
       panels: job.drawing ? panels : [],
       free: () => map.free(),
@@ -117,18 +126,19 @@ export class FormulaPipeline {
   answer(question) {
     if (question.what === "presets") return presets();
     if (question.what === "compile") return compile(question.text, question.params);
-    return this.#carried(question);
+    if (question.what === "back") return preimage(this.#map(question), question.points, question.within);
+    return unflatten(this.#map(question).eval(flatten(question.points))).map((p) => (p.every(Number.isFinite) ? p : null));
   }
 
-  /** Points carried by a formula. @param {Typed & { points: Point[] }} question @returns {(Point | null)[]} */
-  #carried({ formula, params, points }) {
+  /** A formula's map; the last one is kept. @param {Typed} typed */
+  #map({ formula, params }) {
     const key = JSON.stringify([formula, params]);
     if (this.#asked?.key !== key) {
       this.#asked?.map.free();
       this.#asked = null;
       this.#asked = { key, map: new FormulaMap(formula, { params }) };
     }
-    return unflatten(this.#asked.map.eval(flatten(points))).map((p) => (p.every(Number.isFinite) ? p : null));
+    return this.#asked.map;
   }
 
   /** @param {Wrap} wrap */
@@ -148,19 +158,25 @@ export class FormulaPipeline {
  * @param {Quality} quality @param {Talk} talk @param {(share: number) => void} [onShare] of the rows
  */
 async function drawBoth({ map, identity, texture, job, begin }, side, quality, talk, onShare = () => {}) {
-  const { texture: frame, direction, version } = job;
+  const { texture: frame, direction, colours, version } = job;
   const [source, target] = [job.source, job.target].map((view) => onGrid(view, [side, side]));
   const started = performance.now();
-  const sourcePixels = /** @type {Pixels} */ (identity.warp(texture, { texture: frame, view: source, quality }));
+  const photo = colours === "picture";
+  const sourcePixels = photo ? /** @type {Pixels} */ (identity.warp(texture, { texture: frame, view: source, quality })) : new Uint8ClampedArray(4 * side * side);
   const targetPixels = new Uint8ClampedArray(4 * side * side);
   // The map's lines lie in the plane that it is evaluated on; the straight ones are what they go to.
   const pulling = direction === "pull-back";
-  await inBands(side, pulling, talk, onShare, (rows) => {
+  await inBands(side, pulling || !photo, talk, onShare, (rows) => {
     const [sourceRows, targetRows] = [sourcePixels, targetPixels].map((pixels) => pixels.subarray(4 * side * rows[0], 4 * side * rows[1]));
-    map.warp(texture, { texture: frame, view: target, direction, quality, out: targetRows, rows });
     const places = [{ view: source, out: sourceRows, rows }, { view: target, out: targetRows, rows }];
-    drawLines(map, job, places[pulling ? 1 : 0]);
-    if (job.lines === "cartesian" || job.lines === "polar") drawLines(identity, job, places[pulling ? 0 : 1]);
+    const [here, there] = pulling ? [places[1], places[0]] : places;
+    if (photo) map.warp(texture, { texture: frame, view: target, direction, quality, out: targetRows, rows });
+    else {
+      coloured(map, job, here);
+      coloured(null, job, there);
+    }
+    drawLines(map, job, here);
+    if (isGrid(job.lines)) drawLines(identity, job, there);
   });
   const warpMs = performance.now() - (side === job.target.pixels[0] ? begin : started);
   /** @type {Result} */
@@ -191,7 +207,7 @@ async function inBands(count, parted, talk, onShare, draw) {
 function overlaid(map, job, view, rows) {
   const out = new Uint8ClampedArray(4 * view.pixels[0] * (rows[1] - rows[0]));
   const straight = job.direction !== "pull-back";
-  if (straight && (job.lines === "stretch" || job.lines === "argument")) return out;
+  if (straight && !isGrid(job.lines)) return out;
   const identity = straight ? new FormulaMap("z") : null;
   drawLines(identity ?? map, { ...job, fine: true }, { view, out, rows }, view.pixels[0] / 600);
   identity?.free();
@@ -201,8 +217,22 @@ function overlaid(map, job, view, rows) {
 /** @param {Float64Array[]} lines @returns {import("../common/layers.js").Layer[]} */
 const inked = (lines) => [{ ink: "lines", lines }];
 
-/** @param {FormulaMap} map @param {Job} job @param {{ view: Frame, out: Uint8ClampedArray, rows: [number, number] }} place @param {number} [bold] so many times as thick */
-function drawLines(map, { lines, texture, fine }, place, bold = 1) {
+/** Lines that the other plane has too, straight ones. @param {Lines} lines */
+const isGrid = (lines) => lines !== "stretch" && lines !== "argument";
+
+/** @typedef {{ view: Frame, out: Uint8ClampedArray, rows: [number, number] }} Place rows of a view */
+
+/** The values of a map as colours; null for the plane of the values itself. @param {FormulaMap | null} map @param {Job} job @param {{ view: Frame, rows: [number, number], out?: Uint8ClampedArray }} place */
+function coloured(map, { colours, density }, { view, rows, out = new Uint8ClampedArray(4 * view.pixels[0] * (rows[1] - rows[0])) }) {
+  if (colours !== "picture") portray(valuesOver(map, view, rows), colours, spokesOf(density), out);
+  return out;
+}
+
+/** @param {FormulaMap} map @param {Job} job @param {Place} place @param {number} [bold] so many times as thick */
+function drawLines(map, { lines, colours, density, texture, fine }, place, bold = 1) {
   if (lines === "none") return;
-  map.overlay({ ...place, kind: lines, opacity: OPACITY, width: (fine ? 2 : 1) * Math.max(1, bold), spacing: texture.width / 8 });
+  const [spacing, spokes, thick] = [texture.width / density, spokesOf(density), (fine ? 2 : 1) * Math.max(1, bold)];
+  const ink = INKS[colours === "picture" ? "photo" : "colours"];
+  if (lines === "cartesian" || lines === "polar" || lines === "stretch" || lines === "argument") map.overlay({ ...place, kind: lines, opacity: OPACITY, width: thick, spacing, spokes, color: ink });
+  else drawLevels(valuesOver(map, place.view, place.rows), lines, { spacing, spokes, width: (LINE / 2) * thick, ink }, place.out);
 }

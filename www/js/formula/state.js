@@ -1,10 +1,11 @@
 // What the formula's page shows, and its address.
 
-import { numbers, oneOf, photo, point, readAddress } from "../common/address.js";
+import { between, numbers, oneOf, photo, point, readAddress } from "../common/address.js";
 import { knowsPicture } from "../common/images.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./pipeline.js").Lines} Lines */
+/** @typedef {import("./pipeline.js").Colours} Colours */
 /** @typedef {import("../../pkg/index.js").Direction} Direction */
 /** @typedef {import("../../pkg/index.js").Wrap} Wrap */
 /** @typedef {import("../../pkg/index.js").Preset} Preset */
@@ -16,7 +17,10 @@ import { knowsPicture } from "../common/images.js";
  * @property {Direction} direction
  * @property {string} image
  * @property {Wrap} wrap
+ * @property {Colours} colours the picture, or a scheme of colours for values of f
  * @property {Lines} lines
+ * @property {number} density lines in the width of the picture
+ * @property {number} morph how far on the way from z to f(z), 0 to 1
  * @property {Placement} texture
  * @property {Placement} view
  * @property {Placement | null} around what is seen of the picture’s own plane, once somebody has moved it
@@ -24,13 +28,16 @@ import { knowsPicture } from "../common/images.js";
 
 /** The picture that presets ask for by kind. @type {Record<Preset["picture"], string>} */
 const IMAGES = { photo: "astronaut", lattice: "lattice" };
+/** What can be shown, and what over it. */
+const COLOURS = /** @type {const} */ (["picture", "hue", "shaded", "contours", "gold", "chess"]);
+const LINES = /** @type {const} */ (["none", "cartesian", "polar", "real", "imaginary", "modulus", "phase", "stretch", "argument"]);
 /** Longer formulas are nobody's handwriting. */
 const LONGEST = 4000;
 
 /** @param {Preset} preset @param {string} image the photo that is shown now @returns {State} */
 export function fromPreset({ formula, params, direction, wrap, texture, view, picture }, image) {
   const fitting = picture === "lattice" || image === "lattice" ? IMAGES[picture] : image;
-  return { formula, params, direction, image: fitting, wrap, lines: "none", texture, view, around: null };
+  return { formula, params, direction, image: fitting, wrap, colours: "picture", lines: "none", density: 8, morph: 1, texture, view, around: null };
 }
 
 /** @param {number} x */
@@ -41,8 +48,11 @@ const write = ({ center, width }) => [...center, width].map(short).join(",");
 
 /** @param {State} state @returns {string} the hash, without # */
 export function encode(state) {
-  const { formula, params, direction, image, wrap, lines, texture, view, around } = state;
+  const { formula, params, direction, image, wrap, colours, lines, density, morph, texture, view, around } = state;
   const fields = new URLSearchParams({ f: formula, way: direction, image, wrap, lines, texture: write(texture), view: write(view) });
+  if (colours !== "picture") fields.set("colours", colours);
+  if (density !== 8) fields.set("density", String(density));
+  if (morph !== 1) fields.set("morph", short(morph));
   if (around) fields.set("around", write(around));
   for (const [name, value] of Object.entries(params)) fields.set(`p.${name}`, value.map(short).join(","));
   return fields.toString();
@@ -72,7 +82,10 @@ export function decode(hash, presets, usual) {
     way: oneOf(/** @type {const} */ (["pull-back", "push-forward"])),
     image: photo((id) => id === "lattice" || knowsPicture(id)),
     wrap: oneOf(/** @type {const} */ (["repeat", "mirror", "clamp", "transparent"])),
-    lines: oneOf(/** @type {const} */ (["none", "cartesian", "polar", "stretch", "argument"])),
+    colours: oneOf(COLOURS),
+    lines: oneOf(LINES),
+    density: between(2, 32),
+    morph: between(0, 1),
     texture: placement,
     view: placement,
     around: placement,
@@ -81,8 +94,9 @@ export function decode(hash, presets, usual) {
   const preset = presets.find(({ name }) => name === values.preset);
   const base = preset ? fromPreset(preset, usual.image) : usual;
   const told = [...others].map(([name, value]) => [name.slice(2), value]);
-  const { f = base.formula, way = base.direction, image = base.image, wrap = base.wrap, lines = base.lines } = values;
+  const { f = base.formula, way = base.direction, image = base.image, wrap = base.wrap } = values;
+  const { colours = base.colours, lines = base.lines, density = base.density, morph = base.morph } = values;
   const { texture = base.texture, view = base.view, around = base.around } = values;
-  const state = { formula: f, params: { ...base.params, ...Object.fromEntries(told) }, direction: way, image, wrap, lines, texture, view, around };
+  const state = { formula: f, params: { ...base.params, ...Object.fromEntries(told) }, direction: way, image, wrap, colours, lines, density: Math.round(density), morph, texture, view, around };
   return { state, wrong };
 }
