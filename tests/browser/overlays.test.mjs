@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { CIRCLE_FENCE, diskLines } from "../../www/js/disk/field.js";
+import { CIRCLE_FENCE, diskLines } from "../../www/js/editor/field.js";
 import { drag, handle, middle, onPhoto, openPage, openQuarters, screenshot, settled, startBrowser, toggle } from "./support/page.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -116,6 +116,50 @@ test("a probe is pinned, becomes a letter, is sized, dragged and moved by keys, 
   await page.locator("#show").click();
   await page.locator("#probe-pin").uncheck();
   assert.deepEqual(await marks(), ["", ""]);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("two regions: what goes to circles and rays, the stretch and both measures lie over both pictures, stay in the address, and are saved", async () => {
+  const { page, errors, close } = await openPage(session, "regions.html");
+  const digests = () =>
+    page.evaluate(() =>
+      ["from-photo", "to-photo"].map((id) => {
+        const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById(id));
+        const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(0, 0, canvas.width, canvas.height);
+        return data.reduce((sum, value) => (Math.imul(sum, 31) + value) | 0, 0);
+      }));
+  const seen = [await digests()];
+  for (const name of ["grid", "field", "heat", "measure", "mesh"]) {
+    await toggle(page, name);
+    seen.push(await digests());
+  }
+  for (const side of [0, 1]) assert.equal(new Set(seen.map((pair) => pair[side])).size, 6, `side ${side}: each layer is seen`);
+  await page.waitForURL(/show=mesh,field,heat,measure$/);
+  await screenshot(page, "regions-overlays");
+  await page.reload();
+  await settled(page, "ready");
+  for (const name of ["field", "heat", "measure", "mesh"]) assert.ok(await page.locator(`#${name}`).isChecked(), name);
+  await page.locator("#save").click();
+  const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#save-drawing").click()]);
+  const file = await download.path();
+  const { readFileSync } = await import("node:fs");
+  const drawing = readFileSync(file, "utf8");
+  for (const ink of ["fence-1", "fence-2", "mesh-1", "lines-2"]) assert.ok(drawing.includes(`id="${ink}"`), `no ${ink} in the drawing`);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("two regions: an ellipse on itself is stretched nowhere, and its fence is the same on both sides", async () => {
+  const { page, errors, close } = await openPage(session, "regions.html#a.shape=ellipse&b.shape=ellipse&a.image=coffee&b.image=coffee&show=heat");
+  const [left, right] = [await coloursOf(page, "from-photo", [[0.5, 0.35], [0.4, 0.6], [0.65, 0.5]]), await coloursOf(page, "to-photo", [[0.5, 0.35], [0.4, 0.6], [0.65, 0.5]])];
+  await toggle(page, "heat");
+  const bare = await coloursOf(page, "to-photo", [[0.5, 0.35], [0.4, 0.6], [0.65, 0.5]]);
+  right.forEach((colour, k) => {
+    // White at 185 of 255 over the photo.
+    colour.slice(0, 3).forEach((value, channel) => assert.ok(Math.abs(value - (247 * 185 + bare[k][channel] * 70) / 255) < 6, `${colour} over ${bare[k]}`));
+    assert.ok(left[k].every((value, channel) => Math.abs(value - colour[channel]) < 12), `${left[k]} and ${colour}`);
+  });
   assert.deepEqual(errors, []);
   await close();
 });

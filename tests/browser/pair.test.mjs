@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { drag, middle, openPage, quarters, screenshot, settled, startBrowser } from "./support/page.mjs";
+import { drag, middle, openPage, quarters, screenshot, settled, startBrowser, toggle } from "./support/page.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -52,10 +52,10 @@ test("opening shows the first region in the second, with its evidence", async ()
   const evidence = await page.locator("#evidence").innerText();
   for (const words of ["Estimated error", "Unknowns", "Triangles", "none"]) assert.ok(evidence.includes(words), `“${words}” is missing`);
   const before = await picture(page);
-  await page.locator("#mesh").click();
+  await toggle(page, "mesh");
   await screenshot(page, "regions-triangles");
   assert.notEqual((await picture(page)).digest, before.digest);
-  await page.locator("#mesh").click();
+  await toggle(page, "mesh");
   assert.equal((await picture(page)).digest, before.digest);
   await page.locator("#bare").click();
   await screenshot(page, "regions");

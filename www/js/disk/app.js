@@ -16,6 +16,7 @@ import { Editor } from "../editor/edit.js";
 import { failureWords, probeWords, rows } from "../editor/evidence.js";
 import { looksLikeOutline } from "../editor/outline-text.js";
 import { OutlineReader } from "../editor/outline-dialog.js";
+import { wishesOf } from "../editor/overlays.js";
 import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
 import { defaultRegion, photoRegion, READ, shapeRegion } from "../editor/presets.js";
@@ -103,7 +104,7 @@ async function start() {
     script,
     picture: () => picture,
     shape: () => diskView.frame.pixels,
-    job: (pixels, kind) => ({ ...fieldsOf(store.doc), ...careFor(pixels), view: onGrid(diskView.frame, pixels), show: showOf(kind === "drawing") }),
+    job: (pixels, kind) => ({ ...fieldsOf(store.doc), ...careFor(pixels), view: onGrid(diskView.frame, pixels), show: wishesOf(store.shown, kind === "drawing") }),
     drawing: "outline, triangles, vector and grid, on both sides",
     address,
   });
@@ -172,7 +173,7 @@ function refresh(solving, dragging) {
 
 /** @param {boolean} dragging */
 function solve(dragging) {
-  const [fields, show] = [fieldsOf(store.doc), showOf(false)];
+  const [fields, show] = [fieldsOf(store.doc), wishesOf(store.shown, false)];
   scheduler.run(
     ({ tolerance, maxErrorPixels, sharpness }) => ({ ...fields, tolerance, maxErrorPixels, view: diskView.view(sharpness), show }),
     picture,
@@ -183,12 +184,6 @@ function solve(dragging) {
 /** A region as jobs carry it. @param {Document} doc */
 function fieldsOf({ region }) {
   return { boundary: flatten(region.boundary), center: region.center, toward: towardPoint(region) };
-}
-
-/** What is to be found out besides the picture. @param {boolean} all that a drawing has, shown or not */
-function showOf(all) {
-  const { mesh, grid, field, heat, measure, density } = store.shown;
-  return { mesh: mesh || all, grid: grid || field || all ? { field, density } : null, heat, measure };
 }
 
 function layOut() {

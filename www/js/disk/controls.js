@@ -4,7 +4,7 @@ import { onUndoKeys } from "../common/keys.js";
 import { press } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
 import { listShapes } from "../editor/presets.js";
-import { showMenu } from "./show-menu.js";
+import { showMenu } from "../editor/show-menu.js";
 
 /** @typedef {import("../common/images.js").Picture} Picture */
 /** @typedef {import("../editor/store.js").Store} Store */
@@ -36,7 +36,7 @@ export class Controls {
   /** @param {Store} store @param {Actions} actions @param {HTMLElement} probe the row of a menu */
   constructor(store, actions, probe) {
     this.#store = store;
-    this.#showShown = showMenu(store, find("show"), probe);
+    this.#showShown = showMenu(store, find("show"), [probe]);
     const { draw, remove, undo, redo, reset, upright, open, stop } = this.#buttons;
     this.#photo = new PhotoChoice(find("choose-photo"), actions.photo);
     listShapes(this.#shape);

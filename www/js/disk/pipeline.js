@@ -3,9 +3,10 @@
 import { JointTriangulation, Texture } from "../../pkg/index.js";
 import { diskFrame, scaledTo } from "../common/frame.js";
 import { arrowLines, meshEdges } from "../common/layers.js";
+import { carriedHeat, CIRCLE_FENCE, circleLine, diskLines, DRAFT_HEAT, fenceOf, FINE_HEAT, heatOf, regionLines } from "../editor/field.js";
+import { drawnLayers } from "../editor/overlays.js";
 import { readOutline } from "../editor/read-outline.js";
 import { SolvedMap } from "../editor/solved-map.js";
-import { CIRCLE_FENCE, circleLine, diskLines, fenceOf, heatOf, regionLines } from "./field.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -20,12 +21,10 @@ import { CIRCLE_FENCE, circleLine, diskLines, fenceOf, heatOf, regionLines } fro
  * @property {number} tolerance of the solve
  * @property {number} maxErrorPixels how far the triangles may be off the map, in pixels of the view
  * @property {Frame} view
- * @property {{ mesh: boolean, grid: Grid | null, heat: boolean, measure: boolean }} show
+ * @property {import("../editor/overlays.js").Wishes} show
  */
-/** What the map says on one side: lines of the grid, the measure's fence, |f'| as colours. @typedef {{ lines: Float64Array[], fence: Float64Array | null, heat: { pixels: Pixels, frame: Frame } | null }} Over */
+/** @typedef {import("../editor/overlays.js").Over} Over */
 /** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
-/** @typedef {import("./field.js").Grid} Grid */
-/** @typedef {import("../common/layers.js").Layer} Layer */
 /** @typedef {import("../common/plate.js").Plate} Plate */
 /** @typedef {import("../editor/locate.js").Mesh} Mesh */
 /** @typedef {import("../editor/evidence.js").DiskEvidence} Evidence */
@@ -42,8 +41,6 @@ import { CIRCLE_FENCE, circleLine, diskLines, fenceOf, heatOf, regionLines } fro
  */
 
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
-/** Pixels of |f'| as colours, along the longer side of the region. */
-const [DRAFT_HEAT, FINE_HEAT] = [96, 320];
 /** Rows that are drawn at once where a picture is saved. */
 const BAND = 256;
 /** An arrow's head, as a share of the width. */
@@ -104,9 +101,9 @@ export class RegionPipeline {
 
   /** What is shown over the pictures. @param {Job} job @param {RiemannMap} map @param {Float64Array} corners @param {JointTriangulation} mesh @returns {{ source: Over, target: Over }} */
   #over({ show: { grid, heat, measure }, view, fine }, map, corners, mesh) {
-    const field = heat ? heatOf(map, corners, fine ? FINE_HEAT : DRAFT_HEAT) : null;
+    const field = heat ? heatOf(map, map.conformalRadius, corners, fine ? FINE_HEAT : DRAFT_HEAT) : null;
     const source = { lines: grid ? regionLines(map, grid) : [], fence: measure ? fenceOf(map, corners) : null, heat: field };
-    const target = { lines: grid ? diskLines(grid) : [], fence: measure ? CIRCLE_FENCE  : null, heat: field && carried(mesh, field, view) };
+    const target = { lines: grid ? diskLines(grid) : [], fence: measure ? CIRCLE_FENCE : null, heat: field && carriedHeat(mesh, field, view) };
     return { source, target };
   }
 
@@ -122,16 +119,9 @@ export class RegionPipeline {
     const { view, show } = job;
     const { map, corners } = this.#solved.solve(job, job.tolerance, (_, share) => onShare(share / 2));
     const { mesh } = this.#mesh(job, map);
-    const edges = meshEdges(mesh.triangles);
-    /** @param {Float64Array[]} lines @param {Float64Array} fence @param {Float64Array} points @returns {Layer[]} */
-    const shown = (lines, fence, points) => [
-      ...(show.measure ? [/** @type {Layer} */ ({ ink: "fence", lines: [fence], closed: true })] : []),
-      ...(show.mesh ? [/** @type {Layer} */ ({ ink: "mesh", points, edges })] : []),
-      ...(lines.length ? [/** @type {Layer} */ ({ ink: "lines", lines })] : []),
-    ];
-    const region = shown(show.grid ? regionLines(map, show.grid) : [], fenceOf(map, corners), mesh.source);
-    const disk = shown(show.grid ? diskLines(show.grid) : [], CIRCLE_FENCE, mesh.target);
-    const heat = show.heat ? heatOf(map, corners, FINE_HEAT) : null;
+    const edges = show.mesh ? meshEdges(mesh.triangles) : null;
+    const { source, target } = this.#over({ ...job, show: { ...show, heat: false } }, map, corners, mesh);
+    const heat = show.heat ? heatOf(map, map.conformalRadius, corners, FINE_HEAT) : null;
     const colours = heat && new Texture(heat.pixels, ...heat.frame.pixels);
     const way = { view, ...PUSHED, quality: /** @type {const} */ ("best") };
     return {
@@ -140,8 +130,8 @@ export class RegionPipeline {
       draw: (rows) => mesh.warp(texture, { ...way, texture: frame, rows }),
       tint: colours && heat && ((rows) => mesh.warp(colours, { ...way, texture: heat.frame, rows })),
       panels: [
-        { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...region, { ink: "outline", lines: [corners], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, HEAD * frame.width) }] },
-        { name: "disk", frame: view, layers: [...disk, { ink: "rim", lines: [CIRCLE], closed: true }, { ink: "vector", lines: arrowLines([1, 0], [0, 0], HEAD * view.width) }] },
+        { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...drawnLayers(source, mesh.source, edges), { ink: "outline", lines: [corners], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, HEAD * frame.width) }] },
+        { name: "disk", frame: view, layers: [...drawnLayers(target, mesh.target, edges), { ink: "rim", lines: [CIRCLE], closed: true }, { ink: "vector", lines: arrowLines([1, 0], [0, 0], HEAD * view.width) }] },
       ],
       free: () => colours?.free(),
     };
@@ -159,12 +149,4 @@ export class RegionPipeline {
     this.#meshed = { key, mesh, ms: performance.now() - begin };
     return this.#meshed;
   }
-}
-
-/** Colours over the region → colours over the disk. @param {JointTriangulation} mesh @param {{ pixels: Pixels, frame: Frame }} heat @param {Frame} view */
-function carried(mesh, { pixels, frame }, view) {
-  const texture = new Texture(pixels, ...frame.pixels);
-  const warped = mesh.warp(texture, { texture: frame, view, ...PUSHED, quality: "bilinear" });
-  texture.free();
-  return { pixels: /** @type {Pixels} */ (warped), frame: view };
 }

@@ -1,6 +1,6 @@
 // The page that maps one region to another: two sides, one scheduler, the picture of the first in the second.
 
-import { readAddress, someOf, wrongWords } from "../common/address.js";
+import { readAddress, wrongWords } from "../common/address.js";
 import { offerAlone } from "../common/alone.js";
 import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
@@ -18,7 +18,9 @@ import { failureWords, pairRows, probeWords } from "../editor/evidence.js";
 import { OutlineReader } from "../editor/outline-dialog.js";
 import { looksLikeOutline } from "../editor/outline-text.js";
 import { frameOf } from "../editor/presets.js";
-import { drawingFields, drawingSchema, encodeDrawing } from "../editor/url.js";
+import { wishesOf } from "../editor/overlays.js";
+import { showMenu } from "../editor/show-menu.js";
+import { drawingFields, drawingSchema, encodeDrawing, encodeShown, shownOf, shownSchema } from "../editor/url.js";
 import { firstFrom, firstTo } from "./first.js";
 import { Outcome } from "./outcome.js";
 import { Side } from "./side.js";
@@ -33,7 +35,7 @@ const DIM = 0.42;
 const schema = {
   .../** @type {{ [K in keyof typeof drawingSchema as `a.${K}`]: typeof drawingSchema[K] }} */ (prefixed("a.")),
   .../** @type {{ [K in keyof typeof drawingSchema as `b.${K}`]: typeof drawingSchema[K] }} */ (prefixed("b.")),
-  show: someOf(/** @type {const} */ (["mesh"])),
+  ...shownSchema,
 };
 
 watchErrors();
@@ -47,7 +49,6 @@ let pictures = [];
 let visiting = false;
 
 const first = read(firstFrom, firstTo);
-let showMesh = first.mesh ?? false;
 const [from, to] = await Promise.all([Side.open("from", first.from, wishOutline), Side.open("to", first.to, wishOutline)]);
 const outlines = new OutlineReader({
   parse: (text) => scheduler.ask({ what: "outline", text }),
@@ -55,6 +56,9 @@ const outlines = new OutlineReader({
   use: (outline) => active.useOutline(outline),
 });
 const stores = [from.store, to.store];
+/** What is shown over both pictures is kept with the first. */
+const keeper = from.store;
+keeper.shown = shownOf(first.fields, keeper.shown);
 active = from;
 
 const script = new URL("./worker.js", import.meta.url);
@@ -64,6 +68,7 @@ const probe = new Probe(from.view, to.view, () => outcome?.carrier ?? null, (rea
   element("reading").textContent = probeWords(reading);
 });
 
+const showShown = showMenu(keeper, element("show"));
 for (const side of [from, to]) side.store.subscribe((change) => onChange(side, change));
 connectControls();
 new ResizeObserver(() => refresh(true)).observe(element("panels"));
@@ -89,7 +94,7 @@ function read(a, b) {
     const prefix = k ? "b." : "a.";
     return Object.fromEntries(Object.entries(all).flatMap(([name, value]) => (name.startsWith(prefix) ? [[name.slice(2), value]] : [])));
   });
-  return { from: documentOf(left, a, frameOf), to: documentOf(right, b, frameOf), mesh: values.show?.includes("mesh"), wrong };
+  return { from: documentOf(left, a, frameOf), to: documentOf(right, b, frameOf), fields: values, wrong };
 }
 
 /** Goes to another address: what it says, and the rest as it is. */
@@ -97,7 +102,7 @@ async function visit() {
   const next = read(from.store.doc, to.store.doc);
   const step = newStep();
   visiting = true;
-  showMesh = next.mesh ?? showMesh;
+  keeper.show(shownOf(next.fields, keeper.shown));
   if (next.from.region !== from.store.doc.region) await from.visit(next.from, step);
   if (next.to.region !== to.store.doc.region) await to.visit(next.to, step);
   visiting = false;
@@ -110,7 +115,7 @@ async function onChange(side, change) {
   active = side;
   await side.follow();
   const looking = change === "look" && side === to;
-  refresh(change === "drag" || change === "commit" || looking, change === "drag" || looking, change === "drag");
+  refresh(change === "drag" || change === "commit" || change === "view" || looking, change === "drag" || looking, change === "drag");
   if (change !== "drag" && change !== "look" && !visiting) remember();
 }
 
@@ -130,15 +135,15 @@ function remember() {
 /** The state, as the address has it. */
 function address() {
   const sides = [encodeDrawing(from.store.doc, "a."), encodeDrawing(to.store.doc, "b.")];
-  return [...sides, ...(showMesh ? ["show=mesh"] : [])].join("&");
+  return sides.join("&") + encodeShown(keeper.shown);
 }
 
 /** @param {boolean} dragging */
 function solve(dragging) {
   probe.hide();
-  const [a, b] = [from.outline, to.outline];
+  const [a, b, show] = [from.outline, to.outline, wishesOf(keeper.shown, false)];
   scheduler.run(
-    ({ tolerance, maxErrorPixels, sharpness }) => ({ from: a, to: b, tolerance, maxErrorPixels, view: to.frame(sharpness) }),
+    ({ tolerance, maxErrorPixels, sharpness }) => ({ from: a, to: b, tolerance, maxErrorPixels, view: to.frame(sharpness), show }),
     from.picture,
     dragging,
   );
@@ -154,11 +159,10 @@ function layOut() {
 }
 
 function draw() {
-  const shown = showMesh ? outcome : null;
-  from.draw({ dim: DIM, over: shown?.triangles("source") });
-  to.draw({ dim: 0, inside: outcome?.inside, over: shown?.triangles("target") });
-  press("mesh", showMesh);
-  /** @type {HTMLButtonElement} */ (element("mesh")).disabled = outcome !== null && !outcome.mesh;
+  const { shown } = keeper;
+  from.draw({ dim: DIM, heat: outcome?.heat("source", shown), over: outcome?.layers("source", shown) });
+  to.draw({ dim: 0, inside: outcome?.inside, heat: outcome?.heat("target", shown), over: outcome?.layers("target", shown) });
+  showShown(outcome === null || outcome.mesh !== null);
 }
 
 /** @param {Result} result @param {boolean} done */
@@ -170,11 +174,6 @@ function onResult(result, done) {
 }
 
 function connectControls() {
-  element("mesh").onclick = () => {
-    showMesh = !showMesh;
-    refresh(false);
-    remember();
-  };
   element("bare").onclick = () => press("bare", document.body.classList.toggle("bare"));
   element("swap").onclick = async () => {
     const [a, b] = [from.store.doc, to.store.doc];
@@ -189,9 +188,9 @@ function connectControls() {
     shape: () => to.view.frame.pixels,
     job: (pixels, kind) => {
       const { pixels: under, frame, file } = to.picture;
-      return { from: from.outline, to: to.outline, ...careFor(pixels), view: onGrid(to.view.frame, pixels), behind: { pixels: under, frame, file }, mesh: showMesh || kind === "drawing" };
+      return { from: from.outline, to: to.outline, ...careFor(pixels), view: onGrid(to.view.frame, pixels), behind: { pixels: under, frame, file }, show: wishesOf(keeper.shown, kind === "drawing") };
     },
-    drawing: "both outlines, their vectors and triangles",
+    drawing: "both outlines, their vectors, triangles and grids",
     address,
   });
   menuOf(/** @type {HTMLButtonElement} */ (element("probe")), "The probe", [probeRow(probe, () => ({ side: "source", at: from.store.doc.region.center }))]);

@@ -4,6 +4,8 @@ import { JointTriangulation, RegionMap, Texture } from "../../pkg/index.js";
 import { flatten, scaledTo, unflatten } from "../common/frame.js";
 import { arrowLines, meshEdges } from "../common/layers.js";
 import { bitmapOf } from "../common/plate.js";
+import { carriedHeat, DRAFT_HEAT, fenceOf, FINE_HEAT, heatOf, regionLines } from "../editor/field.js";
+import { drawnLayers } from "../editor/overlays.js";
 import { readOutline } from "../editor/read-outline.js";
 import { SolvedMap } from "../editor/solved-map.js";
 
@@ -14,9 +16,10 @@ import { SolvedMap } from "../editor/solved-map.js";
 /** @typedef {import("../editor/locate.js").Mesh} Mesh */
 /** @typedef {import("../editor/solved-map.js").Outline} Outline */
 /** @typedef {import("../editor/solved-map.js").Solved} Solved */
-/** @typedef {{ version: number, fine: boolean, from: Outline, to: Outline, tolerance: number, maxErrorPixels: number, view: Frame }} Job */
-/** A job whose picture is to be saved, over the second photo. @typedef {Job & { behind: import("../common/serve.js").PictureMessage, mesh: boolean }} SavedJob */
-/** Without a mesh, the picture was drawn point by point. @typedef {{ version: number, pixels: Uint8ClampedArray<ArrayBuffer>, view: Frame, mesh: Mesh | null, evidence: Evidence }} Result */
+/** @typedef {{ version: number, fine: boolean, from: Outline, to: Outline, tolerance: number, maxErrorPixels: number, view: Frame, show: import("../editor/overlays.js").Wishes }} Job */
+/** @typedef {Record<Side, import("../editor/overlays.js").Over>} Over */
+/** A job whose picture is to be saved, over the second photo. @typedef {Job & { behind: import("../common/serve.js").PictureMessage }} SavedJob */
+/** Without a mesh, the picture was drawn point by point. @typedef {{ version: number, pixels: Uint8ClampedArray<ArrayBuffer>, view: Frame, mesh: Mesh | null, over: Over, evidence: Evidence }} Result */
 /** @typedef {import("../common/serve.js").Talk<Result>} Talk */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
 
@@ -69,6 +72,8 @@ export class RegionsPipeline {
     } else {
       pixels = await pointByPoint(this.#between, texture, frame, view, talk);
     }
+    const warped = performance.now();
+    const over = overOf(job, from, to, this.#between, joint);
     const mesh = joint && { source: joint.source, target: joint.target, triangles: joint.triangles };
     /** @type {Evidence} */
     const evidence = {
@@ -79,11 +84,11 @@ export class RegionsPipeline {
       flipped: joint?.flipped ?? 0,
       solveMs: from.ms + to.ms,
       meshMs: meshed - begin,
-      warpMs: performance.now() - meshed,
+      warpMs: warped - meshed,
     };
     joint?.free();
     /** @type {Result} */
-    const result = { version, pixels: /** @type {Uint8ClampedArray<ArrayBuffer>} */ (pixels), view, mesh, evidence };
+    const result = { version, pixels: /** @type {Uint8ClampedArray<ArrayBuffer>} */ (pixels), view, mesh, over, evidence };
     const arrays = mesh ? [pixels, mesh.source, mesh.target, mesh.triangles] : [pixels];
     return { result, transfer: arrays.map(({ buffer }) => buffer) };
   }
@@ -97,25 +102,31 @@ export class RegionsPipeline {
     const to = this.#to.solve(job.to, job.tolerance, (_, share) => onShare((1 + share) / 3));
     const joint = triangulated(from, to, job, (share) => onShare((2 + share) / 3));
     const between = RegionMap.between(from.map, to.map);
-    const edges = joint && job.mesh ? meshEdges(joint.triangles) : null;
-    /** @param {Outline} outline @param {Float64Array | undefined} points @param {Frame} place @returns {import("../common/layers.js").Layer[]} */
-    const lines = ({ boundary, center, toward }, points, place) => [
-      ...(edges && points ? [/** @type {import("../common/layers.js").Layer} */ ({ ink: "mesh", points, edges })] : []),
+    const edges = joint && job.show.mesh ? meshEdges(joint.triangles) : null;
+    const { source, target } = overOf({ ...job, show: { ...job.show, heat: false } }, from, to, between, joint);
+    const heat = job.show.heat ? stretchOf(from, to, between, FINE_HEAT) : null;
+    const colours = heat && new Texture(heat.pixels, ...heat.frame.pixels);
+    const way = { view, direction: /** @type {const} */ ("push-forward"), quality: /** @type {const} */ ("best") };
+    /** @param {Outline} outline @param {Over[Side]} over @param {Float64Array | undefined} points @param {Frame} place @returns {import("../common/layers.js").Layer[]} */
+    const lines = ({ boundary, center, toward }, over, points, place) => [
+      ...drawnLayers(over, points, edges),
       { ink: "outline", lines: [boundary], closed: true },
       { ink: "vector", lines: arrowLines(toward, center, HEAD * place.width) },
     ];
     return {
       frame: view,
       band: SAVED_BAND,
-      draw: (rows) => (joint ?? between).warp(texture, { texture: frame, view, direction: "push-forward", quality: "best", rows }),
+      draw: (rows) => (joint ?? between).warp(texture, { ...way, texture: frame, rows }),
+      tint: colours && heat && ((rows) => (joint ?? between).warp(colours, { ...way, texture: heat.frame, rows })),
       behind: { picture: await bitmapOf(job.behind), frame: job.behind.frame },
       panels: [
-        { name: "first", frame: scaledTo(frame, view.pixels[0]), layers: lines(job.from, joint?.source, frame) },
-        { name: "second", frame: view, layers: lines(job.to, joint?.target, view) },
+        { name: "first", frame: scaledTo(frame, view.pixels[0]), layers: lines(job.from, source, joint?.source, frame) },
+        { name: "second", frame: view, layers: lines(job.to, target, joint?.target, view) },
       ],
       free: () => {
         joint?.free();
         between.free();
+        colours?.free();
       },
     };
   }
@@ -134,6 +145,16 @@ export class RegionsPipeline {
     this.#between = null;
   }
 }
+
+/** What both maps say over the pictures: what goes to circles and rays, harmonic measure, how much the first is enlarged. @param {Job} job @param {Solved} from @param {Solved} to @param {RegionMap} between @param {JointTriangulation | null} joint @returns {Over} */
+function overOf({ show: { grid, heat, measure }, fine, view }, from, to, between, joint) {
+  const stretch = heat ? stretchOf(from, to, between, fine ? FINE_HEAT : DRAFT_HEAT) : null;
+  const [source, target] = [from, to].map(({ map, corners }) => ({ lines: grid ? regionLines(map, grid) : [], fence: measure ? fenceOf(map, corners) : null }));
+  return { source: { ...source, heat: stretch }, target: { ...target, heat: stretch && (joint ? carriedHeat(joint, stretch, view) : carriedHeat(between, stretch, scaledTo(view, FINE_HEAT / 2))) } };
+}
+
+/** How much the map stretches, beside its stretch at the centre. @param {Solved} from @param {Solved} to @param {RegionMap} between @param {number} side pixels */
+const stretchOf = (from, to, between, side) => heatOf(between, from.map.conformalRadius / to.map.conformalRadius, from.corners, side);
 
 /**
  * The mesh, if there is one that keeps to what was asked for, and soon.

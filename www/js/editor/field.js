@@ -1,5 +1,6 @@
 // What a Riemann map says of its region besides the picture: level lines of Green's function, |f'|, harmonic measure.
 
+import { Texture } from "../../pkg/index.js";
 import { flatten, onGrid, toPixels, toPlane, unflatten } from "../common/frame.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
@@ -51,20 +52,26 @@ export function regionLines(map, grid) {
   return ends.map((length) => carried.slice(at, (at += length)).filter(Number.isFinite));
 }
 
+/** Pixels of |f'| as colours, along the longer side of the region. */
+export const DRAFT_HEAT = 96;
+export const FINE_HEAT = 320;
 /** Doublings of |f'|, up or down from the centre's, to the strongest colours. */
 const DOUBLINGS = 4;
 /** Colours from shrunk to enlarged: light in the middle, told apart by all eyes. @type {[number, number, number][]} */
 const COLOURS = [[5, 48, 97], [67, 147, 195], [247, 247, 247], [230, 130, 80], [103, 0, 31]];
 const HEAT_ALPHA = 185;
 
-/** |f'| over the region's box as colours, white where it is as at the centre: a picture of `side` pixels. @param {RiemannMap} map @param {Float64Array} boundary @param {number} side @returns {{ pixels: Uint8ClampedArray<ArrayBuffer>, frame: Frame }} */
-export function heatOf(map, boundary, side) {
+/**
+ * |f'| over the region's box as colours, white where it is as at the centre: a picture of `side` pixels.
+ * @param {{ derivative(points: Float64Array): Float64Array }} map @param {number} radius 1/|f'| at the centre
+ * @param {Float64Array} boundary @param {number} side @returns {{ pixels: Uint8ClampedArray<ArrayBuffer>, frame: Frame }}
+ */
+export function heatOf(map, radius, boundary, side) {
   const frame = boxFrame(boundary, side);
   const [columns, rows] = frame.pixels;
   // Only what lies inside is asked: a map takes its time to say that a point lies outside.
   const places = insidePlaces(boundary, frame);
   const slopes = map.derivative(flatten(places.map((k) => toPlane(frame, [(k % columns) + 0.5, Math.floor(k / columns) + 0.5]))));
-  const radius = map.conformalRadius;
   const values = new Float64Array(columns * rows).fill(NaN);
   places.forEach((place, k) => (values[place] = Math.log2(Math.hypot(slopes[2 * k], slopes[2 * k + 1]) * radius)));
   spread(values, columns, rows);
@@ -130,6 +137,14 @@ function colourOf(doublings) {
   const from = Math.min(3, Math.floor(place));
   const [a, b] = [COLOURS[from], COLOURS[from + 1]];
   return /** @type {[number, number, number]} */ (a.map((value, k) => value + (b[k] - value) * (place - from)));
+}
+
+/** Colours over the region → colours where the map takes it. @param {import("../../pkg/index.js").JointTriangulation | import("../../pkg/index.js").RegionMap} map @param {{ pixels: Uint8ClampedArray, frame: Frame }} heat @param {Frame} view @returns {{ pixels: Uint8ClampedArray<ArrayBuffer>, frame: Frame }} */
+export function carriedHeat(map, { pixels, frame }, view) {
+  const texture = new Texture(pixels, ...frame.pixels);
+  const warped = map.warp(texture, { texture: frame, view, direction: "push-forward", quality: "bilinear" });
+  texture.free();
+  return { pixels: /** @type {Uint8ClampedArray<ArrayBuffer>} */ (warped), frame: view };
 }
 
 /** Places along an edge at which the measure is looked at: dense at both ends, where corners make it large or small. */

@@ -2,12 +2,11 @@
 
 import { make, menuOf, menuRow } from "../common/menu.js";
 
-/** @typedef {import("../editor/store.js").Shown} Shown */
-/** @typedef {import("../editor/store.js").Store} Store */
+/** @typedef {import("./store.js").Store} Store */
 /** @typedef {"mesh" | "grid" | "field" | "heat" | "measure"} Name */
 
-/** @param {Store} store @param {HTMLButtonElement} button @param {HTMLElement} probe its row @returns {() => void} shows the state */
-export function showMenu(store, button, probe) {
+/** @param {Store} store @param {HTMLButtonElement} button @param {HTMLElement[]} [more] rows @returns {(hasMesh?: boolean) => void} shows the state */
+export function showMenu(store, button, more = []) {
   /** @type {[Name, HTMLInputElement][]} */
   const boxes = [];
   /** @param {Name} name @param {string} words */
@@ -25,11 +24,14 @@ export function showMenu(store, button, probe) {
     menuRow("Lines", [check("mesh", "Triangles"), check("grid", "Polar grid"), check("field", "Field lines and equipotentials"), make("label", { className: "slide" }, ["Density", density])]),
     menuRow("Stretch", [check("heat", "|f′| as colours")], "white as at the centre, red larger, blue smaller"),
     menuRow("Boundary", [check("measure", "Harmonic measure")], "how often walkers from the centre come out there"),
-    probe,
+    ...more,
   ]);
-  return () => {
+  return (hasMesh = true) => {
     const { shown } = store;
-    for (const [name, box] of boxes) box.checked = shown[name];
+    for (const [name, box] of boxes) {
+      box.checked = shown[name];
+      box.disabled = name === "mesh" && !hasMesh;
+    }
     density.value = String(shown.density);
     button.classList.toggle("on", boxes.some(([name]) => shown[name]));
   };
