@@ -7,6 +7,7 @@ import { acceptFiles } from "../common/files.js";
 import { flatten, onGrid } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
 import { attempt, element, pictureFor, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
+import { playButton } from "../common/player.js";
 import { Probe } from "../common/probe.js";
 import { probeRow } from "../common/probe-menu.js";
 import { offerToSave } from "../common/save-menu.js";
@@ -26,6 +27,7 @@ import { NOTHING_SHOWN, Store } from "../editor/store.js";
 import { drawingFields, drawingSchema, encodeDrawing, encodeShown, shownOf, shownSchema } from "../editor/url.js";
 import { Controls } from "./controls.js";
 import { DiskView } from "./disk-view.js";
+import { radiusAt } from "./homotopy.js";
 import { Outcome } from "./outcome.js";
 import { Traveller, upright } from "./travel.js";
 
@@ -33,6 +35,12 @@ import { Traveller, upright } from "./travel.js";
 /** @typedef {import("../editor/store.js").Document} Document */
 
 const FIRST_PHOTO = "astronaut";
+/** The way from the region to the disk takes so long, in seconds. */
+const WAY = 4;
+/** What is shown that sliders change. */
+const SLID = /** @type {const} */ (["density", "morph"]);
+/** The address follows a slider when it has not moved for so long, in milliseconds. */
+const REST = 160;
 /** How dark the photo is outside the region. */
 const DIM = 0.42;
 
@@ -43,6 +51,10 @@ let picture;
 let outcome = null;
 /** The picture that the panels have the shape of. @type {Picture | null} */
 let laidOut = null;
+/** What was shown last. @type {import("../editor/store.js").Shown} */
+let last = NOTHING_SHOWN;
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let resting;
 /** Whether an address is being followed: what could not be read of it is left there. */
 let visiting = false;
 
@@ -72,8 +84,9 @@ const outlines = new OutlineReader({
   use: (outline) => replaceRegion(makeRegion(outline)),
 });
 const locator = () => outcome?.locator ?? null;
-new Traveller(store, diskView, locator);
-const probe = new Probe(photoView, diskView, locator, (reading) => {
+// On the way to the disk there is nothing to travel on.
+new Traveller(store, diskView, () => (store.shown.morph === 1 ? locator() : null));
+const probe = new Probe(photoView, diskView, () => outcome?.carrier ?? null, (reading) => {
   element("reading").textContent = probeWords(reading);
 });
 
@@ -90,12 +103,22 @@ const controls = new Controls(store, {
   stop: () => scheduler.stop(),
 }, probeRow(probe, () => ({ side: "source", at: store.doc.region.center })));
 
+/** The slider from the region to the disk. */
+const way = /** @type {HTMLInputElement} */ (element("morph"));
+way.oninput = () => store.show({ morph: Number(way.value) });
+way.after(playButton("the way from the region to the disk", (seconds) => {
+  const { morph } = store.shown;
+  const next = Math.min(1, (morph === 1 ? 0 : morph) + seconds / WAY);
+  store.show({ morph: next });
+  return next < 1;
+}));
+
 await start();
 
 async function start() {
   const { doc, shown, wrong } = await read(location.hash);
   store.begin(doc);
-  store.shown = shown;
+  store.shown = last = shown;
   store.subscribe(onChange);
   offerRepair(store, element("photo-stage"));
   acceptFiles(element("file"), element("photo-stage"), (file) => openPicture(addPicture(file)), { take: (text, name) => outlines.take(text, name), looksLike: looksLikeOutline });
@@ -104,7 +127,7 @@ async function start() {
     script,
     picture: () => picture,
     shape: () => diskView.frame.pixels,
-    job: (pixels, kind) => ({ ...fieldsOf(store.doc), ...careFor(pixels), view: onGrid(diskView.frame, pixels), show: wishesOf(store.shown, kind === "drawing") }),
+    job: (pixels, kind) => ({ ...fieldsOf(store.doc), ...careFor(pixels), view: onGrid(diskView.frame, pixels), show: wishesOf(store.shown, kind === "drawing"), morph: store.shown.morph }),
     drawing: "outline, triangles, vector and grid, on both sides",
     address,
   });
@@ -133,11 +156,11 @@ async function visit() {
 /** The state that an address asks for; its picture is loaded, and what is wrong with it is said. @param {string} hash */
 async function read(hash) {
   const { values, wrong } = readAddress(hash, { ...drawingSchema, ...shownSchema });
-  const { show, density, ...fields } = values;
+  const { show, density, morph, ...fields } = values;
   remark(wrongWords(wrong));
   picture = await pictureFor(fields.image ?? store.doc.image);
   const doc = documentOf(fields, store.doc, () => picture.frame);
-  return { doc, shown: shownOf({ show: show ?? (fields.region ? [] : undefined), density }, store.shown), wrong };
+  return { doc, shown: shownOf({ show: show ?? (fields.region ? [] : undefined), density, morph }, store.shown), wrong };
 }
 
 /** @param {Promise<Picture>} loading */
@@ -158,8 +181,14 @@ function replaceRegion(region) {
 /** @param {import("../common/history.js").Change} change */
 async function onChange(change) {
   if (picture.id !== store.doc.image) picture = await pictureFor(store.doc.image);
-  refresh(change === "drag" || change === "commit" || change === "view", change === "drag");
-  if (change !== "drag" && change !== "mode" && !visiting) remember();
+  // A slider is moved, or plays: more is to come.
+  const sliding = change === "view" && SLID.some((name) => store.shown[name] !== last[name]);
+  last = store.shown;
+  refresh(change === "drag" || change === "commit" || change === "view", change === "drag" || sliding);
+  if (change === "drag" || change === "mode" || visiting) return;
+  clearTimeout(resting);
+  if (sliding) resting = setTimeout(remember, REST);
+  else remember();
 }
 
 /** Draws the page, and computes it anew if asked to. @param {boolean} solving @param {boolean} dragging */
@@ -173,9 +202,9 @@ function refresh(solving, dragging) {
 
 /** @param {boolean} dragging */
 function solve(dragging) {
-  const [fields, show] = [fieldsOf(store.doc), wishesOf(store.shown, false)];
+  const [fields, show, { morph }] = [fieldsOf(store.doc), wishesOf(store.shown, false), store.shown];
   scheduler.run(
-    ({ tolerance, maxErrorPixels, sharpness }) => ({ ...fields, tolerance, maxErrorPixels, view: diskView.view(sharpness), show }),
+    ({ tolerance, maxErrorPixels, sharpness }) => ({ ...fields, tolerance, maxErrorPixels, view: diskView.view(sharpness), show, morph }),
     picture,
     dragging,
   );
@@ -199,6 +228,15 @@ function draw() {
   photoView.draw(picture, store, { dim: DIM, heat: outcome?.heat("source", shown), over: outcome?.layers("source", shown) });
   diskView.draw(store.shown, outcome, store.doc.region.boundary[store.selected ?? -1]);
   controls.update(picture);
+  way.value = String(store.shown.morph);
+  element("disk-words").replaceChildren(...captionOf(store.shown.morph));
+}
+
+/** What the right picture is. @param {number} morph @returns {(Node | string)[]} */
+function captionOf(morph) {
+  const strong = (/** @type {string} */ textContent) => Object.assign(document.createElement("b"), { textContent });
+  if (morph === 1) return [strong("Its conformal image"), " on the unit disk"];
+  return [strong("On the way"), `: f⁻¹(r f)/r, r = ${radiusAt(morph).toFixed(2)}`];
 }
 
 /** @type {ReturnType<typeof setTimeout> | undefined} */

@@ -2,7 +2,7 @@
 
 import { deviceGrid, Layer, paint } from "../common/canvas.js";
 import { diskFrame, onGrid, scaleOf, toPixels } from "../common/frame.js";
-import { drawLayers } from "../common/layers.js";
+import { arrowLines, drawLayers } from "../common/layers.js";
 import { drawWithin } from "../editor/photo-view.js";
 import { match, set, svg } from "../common/svg.js";
 import { Zoom } from "../common/zoom.js";
@@ -12,6 +12,9 @@ import { markVector, updateVector } from "../editor/vector.js";
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../editor/store.js").Shown} Shown */
 /** @typedef {import("./outcome.js").Outcome} Outcome */
+
+/** An arrow's head, as a share of the width. */
+const HEAD = 0.02;
 
 export class DiskView {
   root;
@@ -58,6 +61,8 @@ export class DiskView {
   /** @param {Shown} shown @param {Outcome | null} outcome @param {Point | undefined} selected the corner to mark */
   draw(shown, outcome, selected) {
     const drawing = this.#layer.begin(this.frame);
+    const way = outcome?.result.way;
+    this.root.classList.toggle("between", Boolean(way));
     const [x, y] = toPixels(this.frame, [0, 0]);
     set(this.#rim, { cx: x, cy: y, r: scaleOf(this.frame) });
     const one = toPixels(this.frame, [1, 0]);
@@ -74,5 +79,6 @@ export class DiskView {
     const heat = outcome.heat("target", shown);
     if (heat) drawWithin(drawing, heat.picture, heat.frame);
     drawLayers(drawing, outcome.layers("target", shown));
+    if (way) drawLayers(drawing, [{ ink: "rim", lines: [way.outline], closed: true }, { ink: "vector", lines: arrowLines(way.toward, way.center, HEAD * this.frame.width) }]);
   }
 }

@@ -13,9 +13,12 @@ const STEPS = 720;
 /** The series' first term says it all when r is smaller. */
 const LEAST = 1e-4;
 
+/** The radius r on the way: most happens while it is large. @param {number} s */
+export const radiusAt = (s) => 1 - s * s;
+
 /** @param {RiemannMap} map @param {Point} center @param {number} s 0: the region, 1: the disk @returns {Way} */
 export function wayBetween(map, [x0, y0], s) {
-  const r = Math.max(LEAST, 1 - s);
+  const r = Math.max(LEAST, radiusAt(s));
   const [a, b] = map.derivative(Float64Array.of(x0, y0));
   const size = Math.hypot(a, b) ** s / r;
   const turn = s * Math.atan2(b, a);

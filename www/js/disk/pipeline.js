@@ -7,6 +7,7 @@ import { carriedHeat, CIRCLE_FENCE, circleLine, diskLines, DRAFT_HEAT, fenceOf, 
 import { drawnLayers } from "../editor/overlays.js";
 import { readOutline } from "../editor/read-outline.js";
 import { SolvedMap } from "../editor/solved-map.js";
+import { wayBetween } from "./homotopy.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -22,6 +23,7 @@ import { SolvedMap } from "../editor/solved-map.js";
  * @property {number} maxErrorPixels how far the triangles may be off the map, in pixels of the view
  * @property {Frame} view
  * @property {import("../editor/overlays.js").Wishes} show
+ * @property {number} morph how far on the way from the region, 0, to the disk, 1
  */
 /** @typedef {import("../editor/overlays.js").Over} Over */
 /** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
@@ -33,7 +35,8 @@ import { SolvedMap } from "../editor/solved-map.js";
  * @property {number} version
  * @property {Pixels} pixels
  * @property {Frame} view
- * @property {Mesh} mesh
+ * @property {Mesh} mesh region to disk
+ * @property {{ target: Float64Array, outline: Float64Array, center: Point, toward: Point } | null} way what is shown instead of the disk: the nodes of the mesh, the outline and the vector
  * @property {{ source: Over, target: Over }} over
  * @property {Float64Array} corners the boundary as the library keeps it: counter-clockwise
  * @property {Float64Array} angles of the corners, on the circle
@@ -71,10 +74,12 @@ export class RegionPipeline {
     const { map, corners, ms: solveMs } = this.#solved.solve(job, job.tolerance, progress);
     const { mesh, ms: meshMs } = this.#mesh(job, map);
     const begin = performance.now();
-    const pixels = mesh.warp(texture, { texture: frame, view: job.view, direction: "push-forward", quality: "trilinear" });
-    const warpMs = performance.now() - begin;
     const { source, target, triangles } = mesh;
-    const over = this.#over(job, map, corners, mesh);
+    const way = onWay(job, map);
+    const shown = way ? JointTriangulation.fromParts(source, way.carry(target), triangles) : mesh;
+    const pixels = shown.warp(texture, { texture: frame, view: job.view, direction: "push-forward", quality: "trilinear" });
+    const warpMs = performance.now() - begin;
+    const over = this.#over(job, map, corners, shown);
     /** @type {Result} */
     const result = {
       version: job.version,
@@ -82,6 +87,7 @@ export class RegionPipeline {
       view: job.view,
       over,
       mesh: { source, target, triangles },
+      way: way && { target: shown.target, outline: way.outline, center: way.center, toward: way.toward },
       corners,
       angles: map.angles,
       evidence: {
@@ -96,14 +102,18 @@ export class RegionPipeline {
         warpMs,
       },
     };
+    if (way) shown.free();
     return { result, transfer: [pixels, source, target, triangles].map(({ buffer }) => buffer) };
   }
 
-  /** What is shown over the pictures. @param {Job} job @param {RiemannMap} map @param {Float64Array} corners @param {JointTriangulation} mesh @returns {{ source: Over, target: Over }} */
-  #over({ show: { grid, heat, measure }, view, fine }, map, corners, mesh) {
+  /** What is shown over the pictures. @param {Job} job @param {RiemannMap} map @param {Float64Array} corners @param {JointTriangulation} mesh to what is shown @returns {{ source: Over, target: Over }} */
+  #over(job, map, corners, mesh) {
+    const { show: { grid, heat, measure }, view, fine } = job;
+    const way = onWay(job, map);
     const field = heat ? heatOf(map, map.conformalRadius, corners, fine ? FINE_HEAT : DRAFT_HEAT) : null;
     const source = { lines: grid ? regionLines(map, grid) : [], fence: measure ? fenceOf(map, corners) : null, heat: field };
-    const target = { lines: grid ? diskLines(grid) : [], fence: measure ? CIRCLE_FENCE : null, heat: field && carriedHeat(mesh, field, view) };
+    const rings = grid ? diskLines(grid) : [];
+    const target = { lines: way ? rings.map((line) => way.carry(line)) : rings, fence: measure && !way ? CIRCLE_FENCE : null, heat: field && carriedHeat(mesh, field, view) };
     return { source, target };
   }
 
@@ -118,7 +128,9 @@ export class RegionPipeline {
     const { texture, frame } = this.#picture;
     const { view, show } = job;
     const { map, corners } = this.#solved.solve(job, job.tolerance, (_, share) => onShare(share / 2));
-    const { mesh } = this.#mesh(job, map);
+    const { mesh: whole } = this.#mesh(job, map);
+    const between = onWay(job, map);
+    const mesh = between ? JointTriangulation.fromParts(whole.source, between.carry(whole.target), whole.triangles) : whole;
     const edges = show.mesh ? meshEdges(mesh.triangles) : null;
     const { source, target } = this.#over({ ...job, show: { ...show, heat: false } }, map, corners, mesh);
     const heat = show.heat ? heatOf(map, map.conformalRadius, corners, FINE_HEAT) : null;
@@ -131,9 +143,12 @@ export class RegionPipeline {
       tint: colours && heat && ((rows) => mesh.warp(colours, { ...way, texture: heat.frame, rows })),
       panels: [
         { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...drawnLayers(source, mesh.source, edges), { ink: "outline", lines: [corners], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, HEAD * frame.width) }] },
-        { name: "disk", frame: view, layers: [...drawnLayers(target, mesh.target, edges), { ink: "rim", lines: [CIRCLE], closed: true }, { ink: "vector", lines: arrowLines([1, 0], [0, 0], HEAD * view.width) }] },
+        { name: "disk", frame: view, layers: [...drawnLayers(target, mesh.target, edges), { ink: "rim", lines: [between?.outline ?? CIRCLE], closed: true }, { ink: "vector", lines: arrowLines(between?.toward ?? [1, 0], between?.center ?? [0, 0], HEAD * view.width) }] },
       ],
-      free: () => colours?.free(),
+      free: () => {
+        colours?.free();
+        if (between) mesh.free();
+      },
     };
   }
 
@@ -150,3 +165,6 @@ export class RegionPipeline {
     return this.#meshed;
   }
 }
+
+/** The way to the disk, unless it is at its end. @param {Job} job @param {RiemannMap} map */
+const onWay = ({ morph, center }, map) => (morph < 1 ? wayBetween(map, center, morph) : null);

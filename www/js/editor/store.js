@@ -4,9 +4,9 @@ import { History } from "../common/history.js";
 
 /** @typedef {import("./region.js").Region} Region */
 /** @typedef {{ image: string, region: Region }} Document */
-/** What is shown over the pictures; `density`: rays of the grid, or field lines. @typedef {{ mesh: boolean, grid: boolean, field: boolean, heat: boolean, measure: boolean, density: number }} Shown */
+/** What is shown over the pictures; `density`: rays of the grid, or field lines; `morph`: how far on the way from the region to the disk. @typedef {{ mesh: boolean, grid: boolean, field: boolean, heat: boolean, measure: boolean, density: number, morph: number }} Shown */
 
-export const NOTHING_SHOWN = Object.freeze({ mesh: false, grid: false, field: false, heat: false, measure: false, density: 12 });
+export const NOTHING_SHOWN = Object.freeze({ mesh: false, grid: false, field: false, heat: false, measure: false, density: 12, morph: 1 });
 
 /** @extends {History<Document>} */
 export class Store extends History {

@@ -24,18 +24,18 @@ export const drawingSchema = {
 const LAYERS = /** @type {const} */ (["mesh", "grid", "field", "heat", "measure"]);
 
 /** What is shown over a drawing. */
-export const shownSchema = { show: someOf(LAYERS), density: between(6, 48) };
+export const shownSchema = { show: someOf(LAYERS), density: between(6, 48), morph: between(0, 1) };
 
-/** What an address says of that; what it leaves out is as given. @param {{ show?: (typeof LAYERS)[number][], density?: number }} fields @param {Shown} usual @returns {Shown} */
-export function shownOf({ show, density }, usual) {
+/** What an address says of that; what it leaves out is as given. @param {{ show?: (typeof LAYERS)[number][], density?: number, morph?: number }} fields @param {Shown} usual @returns {Shown} */
+export function shownOf({ show, density, morph }, usual) {
   const told = show && Object.fromEntries(LAYERS.map((name) => [name, show.includes(name)]));
-  return { ...usual, ...told, ...(density && { density: Math.round(density) }) };
+  return { ...usual, ...told, ...(density && { density: Math.round(density) }), ...(morph !== undefined && { morph }) };
 }
 
 /** @param {Shown} shown @returns {string} the fields, with & before them */
 export function encodeShown(shown) {
   const names = LAYERS.filter((name) => shown[name]);
-  return `${names.length ? `&show=${names.join(",")}` : ""}${shown.density === NOTHING_SHOWN.density ? "" : `&density=${shown.density}`}`;
+  return `${names.length ? `&show=${names.join(",")}` : ""}${shown.density === NOTHING_SHOWN.density ? "" : `&density=${shown.density}`}${shown.morph === 1 ? "" : `&morph=${short(shown.morph)}`}`;
 }
 
 /** A ten-thousandth of half the photo is finer than a screen's pixel. @param {number} x */
