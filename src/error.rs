@@ -42,6 +42,14 @@ pub enum Error {
         /// The center given.
         center: Complex64,
     },
+    /// The curve around a hole cannot be one.
+    #[error("Hole {hole} (counted from 0): {error}")]
+    InHole {
+        /// The hole, counted from 0.
+        hole: usize,
+        /// What is wrong with it, points and edges being those of the hole.
+        error: Box<Error>,
+    },
     /// Two parts of a boundary cross or touch.
     #[error("{} crosses or touches {} near {}; move them apart.", capital(&part(*.first)), part(*.second), place(.at))]
     HolesMeet {
@@ -150,6 +158,12 @@ pub enum Error {
         /// A point near the place, in the copy that is crowded.
         at: Complex64,
     },
+    /// Far ends of two regions of which nobody can tell whether they belong together.
+    #[error("These regions are too far apart: what lies near {} belongs to a far end of the other region, in a direction that double precision cannot tell. Move the centers, or in both regions `toward`, into the parts that should come together.", place(.at))]
+    TooFarApart {
+        /// A point of the region that the map was asked about.
+        at: Complex64,
+    },
     /// A joint triangulation that is not one.
     #[error("The mesh is not valid: {reason}.")]
     InvalidMesh {
@@ -243,6 +257,7 @@ impl Error {
             Self::SelfIntersecting { .. } => "self-intersecting",
             Self::InvalidOutline { .. } => "invalid-outline",
             Self::CenterOutside { .. } => "center-outside",
+            Self::InHole { error, .. } => error.code(),
             Self::HolesMeet { .. } => "holes-meet",
             Self::HoleOutside { .. } => "hole-outside",
             Self::WrongRegion { .. } => "wrong-region",
@@ -255,6 +270,7 @@ impl Error {
             Self::InvalidRows { .. } => "invalid-rows",
             Self::InvalidTriangle { .. } => "invalid-triangle",
             Self::Crowded { .. } => "crowded",
+            Self::TooFarApart { .. } => "too-far-apart",
             Self::InvalidMesh { .. } => "invalid-mesh",
             Self::NegativeMass { .. } => "negative-mass",
             Self::Inaccurate { .. } => "inaccurate",

@@ -38,7 +38,7 @@ impl Domain {
     /// What lies inside `boundary` and outside every hole, each given in either orientation.
     ///
     /// # Errors
-    /// Those of [`Region::new`] for each curve; [`Error::HolesMeet`] and [`Error::HoleOutside`].
+    /// Those of [`Region::new`] for the boundary, and in [`Error::InHole`] for holes; [`Error::HolesMeet`] and [`Error::HoleOutside`].
     pub fn new(boundary: &[Complex64], holes: &[Vec<Complex64>], curve: Curve) -> Result<Self> {
         Self::of(Some(Contour::new(boundary, curve)?), holes, curve)
     }
@@ -58,8 +58,9 @@ impl Domain {
     fn of(outer: Option<Contour>, holes: &[Vec<Complex64>], curve: Curve) -> Result<Self> {
         let bounded = outer.is_some();
         let mut contours: Vec<Contour> = outer.into_iter().collect();
-        for hole in holes {
-            contours.push(Contour::new(hole, curve)?);
+        for (hole, points) in holes.iter().enumerate() {
+            let named = |error| Error::InHole { hole, error: Box::new(error) };
+            contours.push(Contour::new(points, curve).map_err(named)?);
         }
         let domain = Self { contours, bounded, center: None, toward: None };
         domain.check()?;
@@ -256,6 +257,22 @@ mod tests {
         }
         let text = domain(&[square(5.0, 0.0, 1.0)]).unwrap_err().to_string();
         assert!(text.starts_with("Hole 0 (counted from 0) lies outside the boundary"), "{text}");
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_hole_names_it() {
+        let mut lost = square(-1.0, 0.0, 0.5);
+        lost[2].im = f64::NAN;
+        let bow = [0, 2, 1, 3].map(|k| square(-1.0, 0.0, 0.5)[k]).to_vec();
+        for (wrong, code, words) in [
+            (lost, "not-finite", "Boundary point 2 is not a finite point."),
+            (bow, "self-intersecting", "The boundary crosses"),
+            (vec![Complex64::ZERO; 5], "too-few-vertices", "A region needs at least 3"),
+        ] {
+            let error = domain(&[square(1.0, 0.0, 0.5), wrong]).unwrap_err();
+            assert_eq!(error.code(), code);
+            assert!(error.to_string().starts_with(&format!("Hole 1 (counted from 0): {words}")), "{error}");
+        }
     }
 
     #[test]

@@ -18,6 +18,8 @@ export interface ConformalWarpError extends Error {
     position?: number;
     /** "self-intersecting": the two edges that meet; edge k runs from vertex k to vertex k + 1. */
     edges?: [number, number];
+    /** Which hole is wrong, counted from 0, if one is; `edges` are its own then. */
+    hole?: number;
     /** "invalid-option": the option's path, for example "view.width". */
     option?: string;
     /** "invalid-argument": the argument's name. */
@@ -65,12 +67,23 @@ impl From<Failure> for JsValue {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        let failure = Self::new(error.code(), &message(&error));
+        Self::new(error.code(), &message(&error)).with_values(error)
+    }
+}
+
+impl Failure {
+    /// The same with the values of the error's case.
+    fn with_values(self, error: Error) -> Self {
+        let failure = self;
         match error {
+            Error::InHole { hole, error } => failure.with_values(*error).with("hole", &(hole as f64).into()),
+            Error::HoleOutside { hole, .. } => failure.with("hole", &(hole as f64).into()),
             Error::SelfIntersecting { first, second, at } => failure
                 .with("edges", &Array::of2(&(first as f64).into(), &(second as f64).into()))
                 .with("at", &points::pair(at).into()),
-            Error::CenterOutside { center: at } | Error::Crowded { at } => failure.with("at", &points::pair(at).into()),
+            Error::CenterOutside { center: at } | Error::Crowded { at } | Error::TooFarApart { at } => {
+                failure.with("at", &points::pair(at).into())
+            }
             Error::Syntax { position, .. } => failure.with("position", &(position as f64).into()),
             Error::InvalidOption { name, .. } => failure.with("option", &camel_case(name).into()),
             _ => failure,
