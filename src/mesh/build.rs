@@ -56,7 +56,7 @@ impl JointTriangulation {
     /// Region → region through the disk: center goes to center, `toward` to `toward`, and each outline to the other.
     ///
     /// # Errors
-    /// As [`JointTriangulation::region_to_disk`].
+    /// As [`JointTriangulation::region_to_disk`], and [`Error::TooFarApart`] where nobody can tell what belongs together.
     pub fn region_to_region(from: &RiemannMap, to: &RiemannMap, options: &MeshOptions) -> Result<Self> {
         Self::region_to_region_with(from, to, options, &mut |_, _| true)
     }
@@ -76,6 +76,7 @@ impl JointTriangulation {
         from.prepare(progress)?;
         to.prepare(progress)?;
         let exact = RegionMap::between(from, to);
+        exact.check()?;
         match options.route {
             Route::Exact => between(&exact, options, progress),
             Route::Located => located(&exact, options, progress),

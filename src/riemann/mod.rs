@@ -4,6 +4,7 @@
 //! curve; [`RegionMap`] joins two of them.
 
 mod atlas;
+mod doubt;
 mod holes;
 mod polygon;
 mod region_map;

@@ -2,8 +2,10 @@
 
 use super::RiemannMap;
 use super::atlas::Passage;
+use super::doubt::Doubt;
 use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap, pointwise};
 use crate::plane::{BoundaryPoint, Complex64};
+use crate::{Error, Result};
 use std::sync::{Arc, OnceLock};
 
 /// The conformal map region a → region b that takes center to center and `toward` to `toward`: b's Riemann map undone after
@@ -26,15 +28,37 @@ use std::sync::{Arc, OnceLock};
 pub struct RegionMap {
     a: RiemannMap,
     b: RiemannMap,
-    /// Disk of a → disk of b, and back; worked out on first use.
-    passages: Arc<OnceLock<[Passage; 2]>>,
+    /// How the disks lie on each other; worked out on first use.
+    joint: Arc<OnceLock<Joint>>,
 }
+
+/// Two disks laid on each other.
+#[derive(Debug)]
+struct Joint {
+    /// Disk of a → disk of b, and back.
+    passages: [Passage; 2],
+    /// What that leaves open in a, and in b.
+    doubts: [Doubt; 2],
+}
+
+/// Where a point goes.
+enum Image {
+    /// There.
+    At(Complex64),
+    /// Nowhere: it lies outside.
+    Outside,
+    /// Nobody can tell.
+    Untold,
+}
+
+/// No map is more accurate than this, some roundings of numbers near 1.
+const ROUNDING: f64 = 1e-15;
 
 impl RegionMap {
     /// The map from a's region to b's. Both keep what they have built; nothing is solved.
     #[must_use]
     pub fn between(a: &RiemannMap, b: &RiemannMap) -> Self {
-        Self { a: a.clone(), b: b.clone(), passages: Arc::default() }
+        Self { a: a.clone(), b: b.clone(), joint: Arc::default() }
     }
 
     /// The map of the region it comes from.
@@ -49,14 +73,17 @@ impl RegionMap {
         &self.b
     }
 
-    /// Region a → region b. NaN outside the closed region a; boundary points go to the boundary.
+    /// Region a → region b. NaN outside the closed region a, and where nobody can tell; boundary points go to the boundary.
     ///
     /// The far ends of long regions do not get lost between: their points are carried from chart to chart
     /// ([`RiemannMap::to_disk_points`]) and never become numbers that crowd together on one circle. What remains is the
     /// nature of the map: where a far end of b belongs to a spot of a that is smaller than the distance of neighbouring
     /// numbers, or than the error of the solves, no point of a can be told from the next there. Two far ends correspond
     /// as exactly as their directions from the centers are known: exactly if `toward` lies in them or if a and b are one
-    /// map, else to the error of the solves.
+    /// map, else to the error of the solves, which grows by e^h at the hyperbolic distance h from the way to `toward`. Where
+    /// that could have brought a point to another place of b, its image to another of a, and either is off by more than a
+    /// hundredth of the region's size (or 100 times the errors, if that is more), there is no answer:
+    /// [`RegionMap::try_forward`] says so.
     #[must_use]
     pub fn forward(&self, points: &[Complex64]) -> Vec<Complex64> {
         self.way().values(points)
@@ -66,6 +93,32 @@ impl RegionMap {
     #[must_use]
     pub fn inverse(&self, points: &[Complex64]) -> Vec<Complex64> {
         self.way_back().values(points)
+    }
+
+    /// [`RegionMap::forward`], if all points can be told.
+    ///
+    /// # Errors
+    /// [`Error::TooFarApart`] with the first point whose image nobody can tell.
+    pub fn try_forward(&self, points: &[Complex64]) -> Result<Vec<Complex64>> {
+        self.way().told_values(points)
+    }
+
+    /// [`RegionMap::inverse`], if all points can be told.
+    ///
+    /// # Errors
+    /// As [`RegionMap::try_forward`].
+    pub fn try_inverse(&self, points: &[Complex64]) -> Result<Vec<Complex64>> {
+        self.way_back().told_values(points)
+    }
+
+    /// Whether nobody can tell how parts of the regions belong together that hold vertices.
+    ///
+    /// # Errors
+    /// [`Error::TooFarApart`] with such a vertex, of either region.
+    pub fn check(&self) -> Result<()> {
+        self.try_forward(self.a.region().boundary())?;
+        self.try_inverse(self.b.region().boundary())?;
+        Ok(())
     }
 
     /// The derivative of [`RegionMap::forward`], units of b per unit of a. NaN outside the closed region a.
@@ -89,17 +142,24 @@ impl RegionMap {
     }
 
     fn way(&self) -> Way<'_> {
-        Way { from: &self.a, to: &self.b, passage: &self.passages()[0] }
+        let Joint { passages: [passage, _], doubts: [here, there] } = self.joint();
+        Way { from: &self.a, to: &self.b, passage, here, there }
     }
 
     fn way_back(&self) -> Way<'_> {
-        Way { from: &self.b, to: &self.a, passage: &self.passages()[1] }
+        let Joint { passages: [_, passage], doubts: [there, here] } = self.joint();
+        Way { from: &self.b, to: &self.a, passage, here, there }
     }
 
-    fn passages(&self) -> &[Passage; 2] {
-        self.passages.get_or_init(|| {
+    fn joint(&self) -> &Joint {
+        self.joint.get_or_init(|| {
             let (a, b) = (self.a.compass(), self.b.compass());
-            [Passage::new(&a, &b), Passage::new(&b, &a)]
+            let errors = self.a.error_estimate() + self.b.error_estimate() + ROUNDING;
+            let error = if self.a.is_same(&self.b) { 0.0 } else { errors };
+            Joint {
+                passages: [Passage::new(&a, &b), Passage::new(&b, &a)],
+                doubts: [Doubt::new(&self.a, &a, error), Doubt::new(&self.b, &b, error)],
+            }
         })
     }
 }
@@ -109,13 +169,42 @@ struct Way<'a> {
     from: &'a RiemannMap,
     to: &'a RiemannMap,
     passage: &'a Passage,
+    /// What is open of places in `from`,
+    here: &'a Doubt,
+    /// and in `to`.
+    there: &'a Doubt,
 }
 
 impl Way<'_> {
     fn values(&self, points: &[Complex64]) -> Vec<Complex64> {
-        let (from, to) = (self.from.solved(), self.to.solved());
-        let image = |&z| to.from_disk(self.passage.carry(from.to_disk(z)?).0);
-        points.iter().map(|z| image(z).unwrap_or(Complex64::new(f64::NAN, f64::NAN))).collect()
+        let value = |&z| match self.image(z) {
+            Image::At(image) => image,
+            Image::Outside | Image::Untold => Complex64::new(f64::NAN, f64::NAN),
+        };
+        points.iter().map(value).collect()
+    }
+
+    fn told_values(&self, points: &[Complex64]) -> Result<Vec<Complex64>> {
+        let value = |&z| match self.image(z) {
+            Image::At(image) => Ok(image),
+            Image::Outside => Ok(Complex64::new(f64::NAN, f64::NAN)),
+            Image::Untold => Err(Error::TooFarApart { at: z }),
+        };
+        points.iter().map(value).collect()
+    }
+
+    fn image(&self, z: Complex64) -> Image {
+        let carried = |point| self.to.solved().from_disk(self.passage.carry(point).0);
+        match self.from.solved().to_disk(z).and_then(carried) {
+            None => Image::Outside,
+            Some(image) if self.is_told(z, image) => Image::At(image),
+            Some(_) => Image::Untold,
+        }
+    }
+
+    /// Whether z and its image belong together at least roughly: it is enough if one of them is known.
+    fn is_told(&self, z: Complex64, image: Complex64) -> bool {
+        !(self.there.doubts(self.to, image) && self.here.doubts(self.from, z))
     }
 
     fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
@@ -124,7 +213,7 @@ impl Way<'_> {
             let (point, slope) = from.to_disk_with_slope(z)?;
             let (point, carried) = self.passage.carry(point);
             let (image, back) = to.from_disk_with_slope(point)?;
-            Some(Jet::analytic(image, slope * carried * back))
+            self.is_told(z, image).then(|| Jet::analytic(image, slope * carried * back))
         });
     }
 

@@ -186,6 +186,11 @@ impl RiemannMap {
         self.solved.prepare(progress)
     }
 
+    /// Whether both are solutions of one problem that agree to the last bit.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        self.region == other.region && self.options == other.options && self.angles == other.angles
+    }
+
     pub(super) fn solved(&self) -> &dyn SolvedRegion {
         &*self.solved
     }

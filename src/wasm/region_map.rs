@@ -23,18 +23,23 @@ impl RegionMap {
     ///
     /// Far ends of long regions keep their accuracy. Only where a far end of B belongs to a spot of A that is smaller than the
     /// distance of neighbouring numbers, or than the error of the maps, points cannot be told apart.
+    ///
+    /// Throws "too-far-apart" where it is a far end of A too, in a direction that the maps do not know: there nobody can tell
+    /// what belongs together. `warp` draws nothing there.
     pub fn forward(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         let points = points::from_flat("The points", points)?;
-        Ok(points::to_flat(&self.0.forward(&points)))
+        Ok(points::to_flat(&self.0.try_forward(&points)?))
     }
 
     /// B → A; NaN outside the closed region B.
+    ///
+    /// Throws as `forward` does.
     pub fn inverse(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         let points = points::from_flat("The points", points)?;
-        Ok(points::to_flat(&self.0.inverse(&points)))
+        Ok(points::to_flat(&self.0.try_inverse(&points)?))
     }
 
-    /// The derivative of `forward`.
+    /// The derivative of `forward`; NaN outside, and where that throws.
     pub fn derivative(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         let points = points::from_flat("The points", points)?;
         Ok(points::to_flat(&self.0.derivative(&points)))

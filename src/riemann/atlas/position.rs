@@ -43,6 +43,17 @@ impl Position {
         self.direction.plus(2.0 * ((-self.distance).exp() * half.sin()).atan2(half.cos()))
     }
 
+    /// By how much errors of directions around the first chart's center grow at this one's, that of `toward` being exact: e^h, h the
+    /// hyperbolic distance from the ray toward it.
+    #[must_use]
+    pub fn growth(&self, toward: &Angle) -> f64 {
+        let (sin, cos) = self.direction.minus(toward).value().sin_cos();
+        let aside = if cos > 0.0 { sin.abs() } else { 1.0 };
+        // Of what lies on the ray nothing grows, be it ever so far.
+        let apart = if aside == 0.0 { 0.0 } else { aside * self.distance.sinh() };
+        apart + apart.hypot(1.0)
+    }
+
     /// This chart → the chart of `to`, which may belong to another region, whose disk is turned by `turn`:
     /// direction in it = direction here + `turn`.
     #[must_use]
@@ -116,6 +127,21 @@ mod tests {
         let seen = second.direction_of(0.9);
         let exact = from_second.apply(Complex64::cis(0.9)).arg();
         assert!(seen.plus(-exact).value().abs() < 1e-14);
+    }
+
+    #[test]
+    fn errors_grow_with_the_distance_from_the_ray_toward() {
+        let there = Complex64::from_polar(0.9999, 0.4);
+        let position = Position::FIRST.next(there, -there);
+        let distance = 2.0 * 0.9999f64.atanh();
+        let growth = |angle| position.growth(&Angle::ZERO.plus(angle));
+        assert!((growth(0.4) - 1.0).abs() < 1e-9, "{}", growth(0.4));
+        for behind in [0.4 + std::f64::consts::PI, 0.4 - 2.0] {
+            assert!((growth(behind) / distance.exp() - 1.0).abs() < 1e-9, "{}", growth(behind));
+        }
+        // A right angle from the ray, a leg of the triangle: sinh h = sinh d sin θ.
+        let h = (distance.sinh() * 0.1f64.sin()).asinh();
+        assert!((growth(0.5) / h.exp() - 1.0).abs() < 1e-9, "{}", growth(0.5));
     }
 
     /// Two chains of twenty steps to a hyperbolic distance of about 60 that differ in the last step only.

@@ -1,5 +1,6 @@
 //! The solved map as a function, both ways, and between regions.
 
+mod apart;
 mod between;
 mod both_ways;
 mod closed;

@@ -76,6 +76,7 @@ const WORDS = new Map([
   ["too-few-vertices", "Fewer than three corners are apart from each other. Drag them apart, or draw a new region."],
   ["negative-mass", "No trustworthy map was found: part of the outline is too far out of the centre’s sight. Drag the round end of the vector nearer to it, or make the narrow places wider."],
   ["crowded", "Parts of the outline are too far out of the centre’s sight for a mesh. Drag the round end of the vector nearer to them."],
+  ["too-far-apart", "These regions are too far apart: far ends would come together in directions that nobody can tell. Drag the vectors’ ends into the parts that should."],
   ["crashed", "The computation broke down and was started anew. Change the region a little."],
 ]);
 
