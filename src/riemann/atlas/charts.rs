@@ -111,7 +111,7 @@ const MAX_CHARTS: usize = 64;
 /// Disk → region, another chart takes over where it stretches by this much more; well beyond the middle between two centers.
 const TAKE_OVER: f64 = 40.0;
 /// Region → disk, a neighbouring chart serves better where it stretches by this much more.
-const BETTER: f64 = 1.2;
+pub const BETTER: f64 = 1.2;
 
 impl Atlas {
     /// With the region's own center only.
@@ -178,7 +178,8 @@ impl Atlas {
     }
 
     /// The chart that stretches most at `w` of `chart`'s disk, if by more than `by`.
-    fn better_chart(&self, chart: usize, w: Complex64, by: f64) -> Option<usize> {
+    #[must_use]
+    pub fn better_chart(&self, chart: usize, w: Complex64, by: f64) -> Option<usize> {
         let stretch = |to: usize| self.links[to][chart].stretch(w);
         let others = (0..self.charts.len()).filter(|&to| to != chart);
         others.max_by(|&i, &j| stretch(i).total_cmp(&stretch(j))).filter(|&best| stretch(best) > by)

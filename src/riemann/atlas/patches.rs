@@ -50,6 +50,12 @@ impl Patches {
         self.list.iter().map(Patch::bytes).sum()
     }
 
+    /// A chart's patch in one of its zones, if it was made.
+    #[must_use]
+    pub fn known(&self, chart: usize, zone: usize) -> Option<&Patch> {
+        self.numbers.get(&(chart, zone)).map(|index| &self.list[*index as usize])
+    }
+
     /// The number of a chart's patch in one of its zones.
     pub fn get(&mut self, atlas: &Atlas, chart: usize, zone: usize) -> u32 {
         *self.numbers.entry((chart, zone)).or_insert_with(|| {

@@ -2,7 +2,7 @@
 
 use super::accuracy::Accuracy;
 use super::cells::Cells;
-use super::charts::Atlas;
+use super::charts::{Atlas, BETTER};
 use super::leaf::Leaf;
 use super::patches::Patches;
 use super::power_series::{MAX_COEFFICIENTS, rescale};
@@ -22,6 +22,8 @@ const SHARE_OF_CORNER: f64 = 0.6;
 const SHARE_OF_SUM: f64 = 0.5;
 /// A chart is trusted where its |f'| × the region's size is at least this.
 pub const LEAST_SLOPE: f64 = 0.05;
+/// Radius of a series of which only value and slope count, as a share of a square's.
+const TINY_SHARE: f64 = 1e-3;
 /// More cells than this are not made; what is left is summed directly.
 const MAX_CELLS: usize = 400_000;
 /// Squares between two reports.
@@ -69,13 +71,19 @@ pub fn build_far(
     let mut tree = near.tree.clone();
     let mut builder = Builder::new(boundary, bounds(boundary).1, accuracy);
     builder.crowded.clone_from(&near.open);
-    let score = |c: &Crowded| if c.slope.is_finite() { c.slope * c.clear } else { 0.0 };
-    while let Some(next) = builder.crowded.iter().max_by(|a, b| score(a).total_cmp(&score(b))) {
+    while let Some(most) = builder.most_eligible() {
+        let next = &builder.crowded[most];
+        if next.charts < atlas.charts.len() && atlas.better_chart(next.chart, next.w, BETTER).is_some() {
+            // It was looked at before there were others.
+            let next = builder.crowded.swap_remove(most);
+            builder.grow(&mut tree, atlas, vec![(next.square, next.walls)], progress);
+            continue;
+        }
         if !atlas.add(next.center, next.chart, progress) {
             builder.accept_crowding = true;
         }
         let newest = atlas.charts.len() - 1;
-        let again = |c: &mut Crowded| builder.accept_crowding || atlas.serves_better(newest, c.chart, c.w);
+        let again = |c: &mut Crowded| builder.accept_crowding || c.is_near(atlas, newest);
         let open = builder.crowded.extract_if(.., again).map(|c| (c.square, c.walls)).collect();
         builder.grow(&mut tree, atlas, open, progress);
     }
@@ -108,6 +116,30 @@ pub struct Crowded {
     slope: f64,
     /// Distance to the wall.
     clear: f64,
+    /// How many charts there were when this was found out.
+    charts: usize,
+}
+
+/// A new chart looks at what it stretches to this share of what is trusted; the rest has time.
+const NEAR_SHARE: f64 = 0.02;
+/// Not for ever: from farther away (cosh of half the distance) numbers do not tell in which direction the new chart lies.
+const LONGEST_LINK: f64 = 1e5;
+
+impl Crowded {
+    /// How good a center this is for a new chart: as far out as the old ones see well, as far from walls as can be.
+    fn score(&self) -> f64 {
+        if self.slope.is_finite() { self.slope * self.clear } else { 0.0 }
+    }
+
+    /// Whether chart `newest` might know this, or where it is.
+    fn is_near(&self, atlas: &Atlas, newest: usize) -> bool {
+        if !atlas.serves_better(newest, self.chart, self.w) {
+            return false;
+        }
+        let link = atlas.link(newest, self.chart);
+        let slope = self.slope * link.stretch(self.w);
+        slope >= NEAR_SHARE * LEAST_SLOPE || slope.is_nan() || link.length() > LONGEST_LINK
+    }
 }
 
 struct Builder {
@@ -145,6 +177,12 @@ impl Builder {
             done: 0.0,
             stopped: false,
         }
+    }
+
+    /// The crowded square that is the best center for a new chart.
+    fn most_eligible(&self) -> Option<usize> {
+        let score = |k: usize| self.crowded[k].score();
+        (0..self.crowded.len()).max_by(|&a, &b| score(a).total_cmp(&score(b)))
     }
 
     fn grow(&mut self, tree: &mut Quadtree, atlas: &Atlas, open: Vec<(Square, WallList)>, progress: Progress) {
@@ -198,18 +236,25 @@ impl Builder {
     /// A Taylor polynomial, if it is accurate.
     fn taylor(&mut self, atlas: &Atlas, square: Square, walls: &WallList, clear: f64) -> Option<Step<WallList>> {
         let radius = square.half * std::f64::consts::SQRT_2;
+        let unit = radius.min(SHARE_OF_SUM * clear);
         let mut coefficients = [Complex64::ZERO; MAX_COEFFICIENTS];
         let coefficients = &mut coefficients[..self.accuracy.cell_terms()];
-        let unit = radius.min(SHARE_OF_SUM * clear);
-        let chart = atlas.expand_best(self.hint, square.center, unit, coefficients);
-        rescale(coefficients, radius / unit);
-        self.hint = chart;
-        let slope = coefficients[1].norm() / radius * self.size;
+        let is_alone = atlas.charts.len() == 1;
+        let (chart, w, slope) = if is_alone {
+            atlas.charts[0].expand(square.center, unit, coefficients);
+            (0, coefficients[0], coefficients[1].norm() / unit * self.size)
+        } else {
+            self.look(atlas, square.center, unit)
+        };
         if !self.trusts(slope, square.center) {
-            let (walls, center, w) = (Arc::clone(walls), square.center, coefficients[0]);
-            self.crowded.push(Crowded { square, walls, center, chart, w, slope, clear });
+            let (walls, center, charts) = (Arc::clone(walls), square.center, atlas.charts.len());
+            self.crowded.push(Crowded { square, walls, center, chart, w, slope, clear, charts });
             return Some(Step::Open);
         }
+        if !is_alone {
+            atlas.charts[chart].expand(square.center, unit, coefficients);
+        }
+        rescale(coefficients, radius / unit);
         let count = self.accuracy.terms_needed(coefficients, self.accuracy.tolerance * slope.min(1.0))?;
         let index = self.cells.add(square.center, radius, chart, &coefficients[..count]);
         Some(Step::Leaf(Leaf::Cell(index).into()))
@@ -218,35 +263,52 @@ impl Builder {
     /// A patch, if one covers the square.
     fn patch(&mut self, atlas: &Atlas, square: Square, walls: &WallList, nearest: Nearest) -> Option<Step<WallList>> {
         let radius = square.half * std::f64::consts::SQRT_2;
+        let boundary = Arc::clone(&self.boundary);
         let zone_of = |chart: usize| {
             let zones = &atlas.charts[chart].zones;
-            let zone = zones.covering(&self.boundary, nearest.edge, nearest.along, square.center, radius)?;
+            let zone = zones.covering(&boundary, nearest.edge, nearest.along, square.center, radius)?;
             // A zone may reach across a thin wall, where the region goes on.
-            let own = zones.list[zone].edges(&self.boundary);
+            let own = zones.list[zone].edges(&boundary);
             (!atlas.walls.intrudes(square.center, radius, walls, own)).then_some(zone)
         };
         let mut zone = zone_of(self.hint)?;
-        let mut chart = self.hint;
+        let top_of = |chart: usize, zone: usize| {
+            let zone = &atlas.charts[chart].zones.list[zone];
+            (zone.point(Complex64::i()), zone.reach)
+        };
         if atlas.charts.len() > 1 {
-            let top = atlas.charts[chart].zones.list[zone].point(Complex64::i());
-            let mut coefficients = [Complex64::ZERO; 2];
-            chart = atlas.expand_best(chart, top, 1e-3 * radius, &mut coefficients);
-            self.hint = chart;
+            let chart = self.look(atlas, top_of(self.hint, zone).0, TINY_SHARE * radius).0;
             zone = zone_of(chart)?;
         }
-        let index = self.patches.get(atlas, chart, zone);
-        let patch = &self.patches.list[index as usize];
-        let slope = patch.typical_slope() * self.size;
-        let top = patch.zone.point(Complex64::i());
-        let (reach, w) = (patch.zone.reach, patch.top());
+        let chart = self.hint;
+        let (top, reach) = top_of(chart, zone);
+        let (w, slope) = match self.patches.known(chart, zone) {
+            Some(patch) => (patch.top(), patch.typical_slope() * self.size),
+            None => self.look_by(atlas, chart, top, TINY_SHARE * radius),
+        };
         if !self.trusts(slope, top) {
             // Half as eligible as a square in the middle of the region.
             let clear = 0.5 * reach;
-            let walls = Arc::clone(walls);
-            self.crowded.push(Crowded { square, walls, center: top, chart, w, slope, clear });
+            let (walls, charts) = (Arc::clone(walls), atlas.charts.len());
+            self.crowded.push(Crowded { square, walls, center: top, chart, w, slope, clear, charts });
             return Some(Step::Open);
         }
+        let index = self.patches.get(atlas, chart, zone);
         Some(Step::Leaf(Leaf::Patch(index).into()))
+    }
+
+    /// The chart that serves best at a point, which becomes the hint, the image there and |f'| × size.
+    fn look(&mut self, atlas: &Atlas, center: Complex64, radius: f64) -> (usize, Complex64, f64) {
+        let mut coefficients = [Complex64::ZERO; 2];
+        self.hint = atlas.expand_best(self.hint, center, radius, &mut coefficients);
+        (self.hint, coefficients[0], coefficients[1].norm() / radius * self.size)
+    }
+
+    /// The same by one chart.
+    fn look_by(&self, atlas: &Atlas, chart: usize, center: Complex64, radius: f64) -> (Complex64, f64) {
+        let mut coefficients = [Complex64::ZERO; 2];
+        atlas.charts[chart].expand(center, radius, &mut coefficients);
+        (coefficients[0], coefficients[1].norm() / radius * self.size)
     }
 
     fn trusts(&mut self, slope: f64, place: Complex64) -> bool {
