@@ -56,6 +56,8 @@ struct PanelSource {
     /// Masses on the Gauss nodes of [2^(−l−1), 2^(−l)].
     pieces: Vec<f64>,
     levels: usize,
+    /// Whether it holds no mass at all.
+    is_empty: bool,
 }
 
 impl LocalSeries {
@@ -124,6 +126,10 @@ impl LocalSeries {
     }
 
     fn add_panel(&self, panel: &PanelSource, sum: &mut Sum) {
+        if panel.is_empty {
+            // A target may lie on one of its nodes.
+            return;
+        }
         let m = self.gauss.len();
         let mut reach = 1.0;
         for l in 0..panel.levels {
@@ -264,6 +270,7 @@ fn panel_sources(
             unions: (0..=levels).flat_map(|l| rule.union_charges(l, &charges)).copied().collect(),
             pieces: (0..levels).flat_map(|l| rule.piece_charges(l, &charges)).copied().collect(),
             levels,
+            is_empty: masses.iter().all(|mass| *mass == 0.0),
         }
     };
     masses.chunks_exact(p).enumerate().map(source).collect()
