@@ -232,11 +232,12 @@ impl<'a> Inverter<'a> {
             let step = (w - value.w) * inverse;
             let size = step.norm_sqr().sqrt();
             z += step;
-            // Quadratic convergence: the next step would be below rounding. Or rounding is all there is, or two expansions
-            // that meet here differ by more.
-            let converged = size <= 1e-9 && size < 1e-4 * last;
+            // Quadratic convergence, measured in the disk where the map stretches: the next step would be below rounding. Or
+            // rounding is all there is, or two expansions that meet here differ by more.
+            let scale = inverse.norm().min(1.0);
+            let converged = size <= 1e-9 * scale && size < 1e-4 * last;
             let stagnates = size >= 0.5 * last && size <= noise.max(1e-12) * inverse.norm().max(1.0);
-            if converged || stagnates || size <= 1e-15 {
+            if converged || stagnates || size <= (1e-15 * scale).max(0.5 * f64::EPSILON * z.norm()) {
                 return Some((z, inverse, value.foreign));
             }
             if size > 4.0 * last {

@@ -43,8 +43,8 @@ impl Position {
         self.direction.plus(2.0 * ((-self.distance).exp() * half.sin()).atan2(half.cos()))
     }
 
-    /// By how much errors of directions around the first chart's center grow at this one's, that of `toward` being exact: e^h, h the
-    /// hyperbolic distance from the ray toward it.
+    /// By how much errors of directions around the first chart's center grow at this one's, that of `toward` being exact:
+    /// e^h, h the hyperbolic distance from the ray toward it.
     #[must_use]
     pub fn growth(&self, toward: &Angle) -> f64 {
         let (sin, cos) = self.direction.minus(toward).value().sin_cos();

@@ -7,3 +7,4 @@ mod closed;
 mod compose;
 mod exact;
 mod faults;
+mod margins;
