@@ -178,7 +178,9 @@ impl RiemannMap {
         self.solved.crowded()
     }
 
-    /// Builds the evaluator now, both ways, instead of at its first use each way. `progress` as in [`RiemannMap::solve`].
+    /// Builds the evaluator now, both ways and for far ends too, instead of at its first use each way. That takes seconds for
+    /// thousands of vertices and for long corridors; afterwards no call for points has anything left to build. `progress` as in
+    /// [`RiemannMap::solve`]; it hears from all parts of the work.
     ///
     /// # Errors
     /// [`Error::Cancelled`](crate::Error::Cancelled). Parts that are finished by then are kept, no half ones, and the map is as usable as before.

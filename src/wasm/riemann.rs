@@ -98,6 +98,9 @@ impl RiemannMap {
     }
 
     /// Region → disk, point by point `[x0, y0, x1, y1, …]`; NaN outside the closed region.
+    ///
+    /// The first call builds what is needed, and the first that falls into a far end solves for more: seconds for thousands of
+    /// vertices or long corridors. `prepare` does all of it before, with progress.
     #[wasm_bindgen(js_name = toDisk)]
     pub fn to_disk(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         let points = points::from_flat("The points", points)?;
@@ -118,7 +121,8 @@ impl RiemannMap {
         Ok(points::to_flat(&self.evaluated().derivative(&points)))
     }
 
-    /// Builds what makes evaluation fast now, instead of at its first use. `onProgress` is told the stage and the fraction
+    /// Builds what makes evaluation fast now, both ways and for far ends, instead of at its first use: afterwards no call for
+    /// points, meshes or pictures has anything left to build. `onProgress` is told the stage and the fraction
     /// of it that is done; `false` cancels.
     ///
     /// Throws "cancelled", and what `onProgress` throws. What was built by then is kept.

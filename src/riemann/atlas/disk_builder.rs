@@ -11,6 +11,7 @@ use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step};
 use super::region_builder::LEAST_SLOPE;
 use super::region_side::RegionSide;
 use crate::plane::{Complex64, sort_by_number};
+use crate::symm::options::Progress;
 use std::f64::consts::{SQRT_2, TAU};
 use std::rc::Rc;
 
@@ -41,10 +42,14 @@ pub struct DiskParts {
     pub seeds: Vec<Pair>,
 }
 
+/// Squares between two reports.
+const SQUARES_PER_REPORT: usize = 256;
+
 /// Cuts a chart's disk. The squares number at most [`FEWEST_SQUARES`] and [`SQUARES_PER_EXPANSION`] for each cell and zone of
-/// the region, which are in proportion to its vertices.
+/// the region, which are in proportion to its vertices. Once `progress` has returned false nothing more is cut, and the rest is of
+/// no use.
 #[must_use]
-pub fn build(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accuracy) -> DiskParts {
+pub fn build(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accuracy, progress: Progress) -> DiskParts {
     let mut tree = Quadtree::new(Complex64::ZERO, 1.01);
     let seeds: Vec<Pair> = region
         .centers()
@@ -63,7 +68,16 @@ pub fn build(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accurac
         size: region.size(),
         seeds: Vec::new(),
     };
-    tree.grow(tree.root(), (Rc::new(seeds), center), &mut |square, known| builder.decide(square, &known));
+    let (mut seen, mut done, mut stopped) = (0usize, 0.0, false);
+    tree.grow(tree.root(), (Rc::new(seeds), center), &mut |square, known| {
+        stopped = stopped || (seen.is_multiple_of(SQUARES_PER_REPORT) && !progress("expand", done));
+        seen += 1;
+        let step = if stopped { Step::Leaf(Leaf::Outside.into()) } else { builder.decide(square, &known) };
+        if matches!(step, Step::Leaf(_)) {
+            done += 0.25f64.powi(square.level as i32);
+        }
+        step
+    });
     tree.finish();
     DiskParts { tree, cells: builder.cells, patches: builder.patches.list, seeds: builder.seeds }
 }

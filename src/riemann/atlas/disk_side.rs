@@ -9,6 +9,7 @@ use super::leaf::Leaf;
 use super::patch::Patch;
 use super::region_side::RegionSide;
 use crate::plane::Complex64;
+use crate::symm::options::Progress;
 
 /// The inverse of one chart's map, or the chart to ask instead.
 #[derive(Clone, Debug)]
@@ -31,10 +32,10 @@ pub enum Source {
 }
 
 impl DiskSide {
-    /// Builds the inverse of a chart's map.
+    /// Builds the inverse of a chart's map. Of no use once `progress` has returned false.
     #[must_use]
-    pub fn new(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accuracy) -> Self {
-        Self { parts: build(atlas, region, chart, accuracy) }
+    pub fn new(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accuracy, progress: Progress) -> Self {
+        Self { parts: build(atlas, region, chart, accuracy, progress) }
     }
 
     fn leaf(&self, w: Complex64) -> Leaf {

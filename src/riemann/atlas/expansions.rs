@@ -45,16 +45,22 @@ impl Charted {
 
     #[inline]
     fn disk(&self, chart: usize) -> &DiskSide {
-        self.disks[chart].get_or_init(|| DiskSide::new(&self.atlas, &self.region, chart, self.accuracy))
+        self.disks[chart].get_or_init(|| self.build_disk(chart, &mut |_, _| true))
+    }
+
+    /// Of no use once `progress` has returned false.
+    fn build_disk(&self, chart: usize, progress: Progress) -> DiskSide {
+        DiskSide::new(&self.atlas, &self.region, chart, self.accuracy, progress)
     }
 
     /// Builds the way back for all charts.
     fn prepare(&self, progress: Progress) -> Result<()> {
-        for chart in 0..self.disks.len() {
-            if !progress("expand", chart as f64 / self.disks.len() as f64) {
-                return Err(Error::Cancelled);
-            }
-            self.disk(chart);
+        let count = self.disks.len() as f64;
+        for (chart, disk) in self.disks.iter().enumerate().filter(|(_, disk)| disk.get().is_none()) {
+            let mut part = |stage, fraction| progress(stage, (chart as f64 + fraction) / count);
+            let built = unless_cancelled(&mut part, |progress| self.build_disk(chart, progress))?;
+            // If another thread was first, its are the same.
+            let _ = disk.set(built);
         }
         Ok(())
     }
