@@ -34,8 +34,8 @@ function* pixelLines(layer, frame) {
   }
 }
 
-/** @param {Drawing} drawing @param {Layer[]} layers */
-export function drawLayers({ context, frame, density }, layers) {
+/** @param {Drawing} drawing @param {Layer[]} layers @param {boolean} [quick] without what lies under lines to set them off: while a hand moves */
+export function drawLayers({ context, frame, density }, layers, quick = false) {
   context.lineCap = "round";
   context.lineJoin = "round";
   for (const layer of layers) {
@@ -45,7 +45,7 @@ export function drawLayers({ context, frame, density }, layers) {
       context.fillStyle = fill;
       context.fill(path, "evenodd");
     }
-    for (const [colour, width] of STROKES[layer.ink]) {
+    for (const [colour, width] of quick ? STROKES[layer.ink].slice(-1) : STROKES[layer.ink]) {
       context.strokeStyle = colour;
       context.lineWidth = width * density;
       context.stroke(path);

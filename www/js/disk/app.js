@@ -226,7 +226,7 @@ function layOut() {
 function draw() {
   const { shown } = store;
   photoView.draw(picture, store, { dim: DIM, heat: outcome?.heat("source", shown), over: outcome?.layers("source", shown) });
-  diskView.draw(store.shown, outcome, store.doc.region.boundary[store.selected ?? -1]);
+  diskView.draw(store.shown, outcome, store.doc.region.boundary[store.selected ?? -1], store.dragging);
   controls.update(picture);
   way.value = String(store.shown.morph);
   element("disk-words").replaceChildren(...captionOf(store.shown.morph));

@@ -58,8 +58,8 @@ export class DiskView {
     paint(this.#canvas, pixels, view.pixels);
   }
 
-  /** @param {Shown} shown @param {Outcome | null} outcome @param {Point | undefined} selected the corner to mark */
-  draw(shown, outcome, selected) {
+  /** @param {Shown} shown @param {Outcome | null} outcome @param {Point | undefined} selected the corner to mark @param {boolean} quick while a hand moves */
+  draw(shown, outcome, selected, quick) {
     const drawing = this.#layer.begin(this.frame);
     const way = outcome?.result.way;
     this.root.classList.toggle("between", Boolean(way));
@@ -78,7 +78,7 @@ export class DiskView {
     if (!outcome) return;
     const heat = outcome.heat("target", shown);
     if (heat) drawWithin(drawing, heat.picture, heat.frame);
-    drawLayers(drawing, outcome.layers("target", shown));
+    drawLayers(drawing, outcome.layers("target", shown), quick);
     if (way) drawLayers(drawing, [{ ink: "rim", lines: [way.outline], closed: true }, { ink: "vector", lines: arrowLines(way.toward, way.center, HEAD * this.frame.width) }]);
   }
 }

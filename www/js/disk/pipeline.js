@@ -4,7 +4,7 @@ import { JointTriangulation, Texture } from "../../pkg/index.js";
 import { diskFrame, scaledTo } from "../common/frame.js";
 import { arrowLines, meshEdges } from "../common/layers.js";
 import { carriedHeat, CIRCLE_FENCE, circleLine, diskLines, DRAFT_HEAT, fenceOf, FINE_HEAT, heatOf, regionLines } from "../editor/field.js";
-import { drawnLayers } from "../editor/overlays.js";
+import { drawnLayers, heatPixels } from "../editor/overlays.js";
 import { readOutline } from "../editor/read-outline.js";
 import { SolvedMap } from "../editor/solved-map.js";
 import { wayBetween } from "./homotopy.js";
@@ -103,7 +103,7 @@ export class RegionPipeline {
       },
     };
     if (way) shown.free();
-    return { result, transfer: [pixels, source, target, triangles].map(({ buffer }) => buffer) };
+    return { result, transfer: [pixels, source, target, triangles, ...heatPixels(over)].map(({ buffer }) => buffer) };
   }
 
   /** What is shown over the pictures. @param {Job} job @param {RiemannMap} map @param {Float64Array} corners @param {JointTriangulation} mesh to what is shown @returns {{ source: Over, target: Over }} */
@@ -111,8 +111,8 @@ export class RegionPipeline {
     const { show: { grid, heat, measure }, view, fine } = job;
     const way = onWay(job, map);
     const field = heat ? heatOf(map, map.conformalRadius, corners, fine ? FINE_HEAT : DRAFT_HEAT) : null;
-    const source = { lines: grid ? regionLines(map, grid) : [], fence: measure ? fenceOf(map, corners) : null, heat: field };
-    const rings = grid ? diskLines(grid) : [];
+    const source = { lines: grid ? regionLines(map, grid, fine) : [], fence: measure ? fenceOf(map, corners) : null, heat: field };
+    const rings = grid ? diskLines(grid, fine) : [];
     const target = { lines: way ? rings.map((line) => way.carry(line)) : rings, fence: measure && !way ? CIRCLE_FENCE : null, heat: field && carriedHeat(mesh, field, view) };
     return { source, target };
   }
@@ -132,7 +132,7 @@ export class RegionPipeline {
     const between = onWay(job, map);
     const mesh = between ? JointTriangulation.fromParts(whole.source, between.carry(whole.target), whole.triangles) : whole;
     const edges = show.mesh ? meshEdges(mesh.triangles) : null;
-    const { source, target } = this.#over({ ...job, show: { ...show, heat: false } }, map, corners, mesh);
+    const { source, target } = this.#over({ ...job, fine: true, show: { ...show, heat: false } }, map, corners, mesh);
     const heat = show.heat ? heatOf(map, map.conformalRadius, corners, FINE_HEAT) : null;
     const colours = heat && new Texture(heat.pixels, ...heat.frame.pixels);
     const way = { view, ...PUSHED, quality: /** @type {const} */ ("best") };

@@ -8,9 +8,10 @@ import { flatten, onGrid, toPixels, toPlane, unflatten } from "../common/frame.j
 /** @typedef {import("../../pkg/index.js").RiemannMap} RiemannMap */
 /** Circles and rays of the disk; those of equal steps of Green's function and of its conjugate where `field`. @typedef {{ field: boolean, density: number }} Grid */
 
-/** Points along a ring, and along a ray. */
+/** Points along a ring, and along a ray; of drafts fewer. */
 const RING_STEPS = 240;
 const RAY_STEPS = 100;
+const FEWER = 3;
 /** Rays end so near to the rim; the rings of a field begin so near to the centre. */
 const RIM = 0.9995;
 const INNERMOST = 0.03;
@@ -23,23 +24,24 @@ function ringsOf({ field, density }) {
   return Array.from({ length: count }, (_, k) => Math.exp((-2 * Math.PI * (k + 1)) / density));
 }
 
-/** The grid's lines on the disk. @param {Grid} grid @returns {Float64Array[]} */
-export function diskLines(grid) {
+/** The grid's lines on the disk. @param {Grid} grid @param {boolean} [fine] @returns {Float64Array[]} */
+export function diskLines(grid, fine = true) {
+  const [ringSteps, raySteps] = [RING_STEPS, RAY_STEPS].map((steps) => (fine ? steps : Math.round(steps / FEWER)));
   const rings = ringsOf(grid);
   const start = grid.field ? INNERMOST : 0;
   /** @type {(steps: number, at: (share: number) => [radius: number, angle: number]) => Float64Array} */
   const line = (steps, at) =>
     flatten(Array.from({ length: steps + 1 }, (_, k) => at(k / steps)).map(([radius, angle]) => [radius * Math.cos(angle), radius * Math.sin(angle)]));
   return [
-    ...rings.map((radius) => line(RING_STEPS, (s) => [radius, 2 * Math.PI * s])),
+    ...rings.map((radius) => line(ringSteps, (s) => [radius, 2 * Math.PI * s])),
     // Denser towards the rim, where a region may be far away.
-    ...Array.from({ length: grid.density }, (_, n) => line(RAY_STEPS, (s) => [start + (RIM - start) * (1 - (1 - s) ** 1.5), (2 * Math.PI * n) / grid.density])),
+    ...Array.from({ length: grid.density }, (_, n) => line(raySteps, (s) => [start + (RIM - start) * (1 - (1 - s) ** 1.5), (2 * Math.PI * n) / grid.density])),
   ];
 }
 
-/** The grid's lines in the region. @param {RiemannMap} map @param {Grid} grid @returns {Float64Array[]} */
-export function regionLines(map, grid) {
-  const lines = diskLines(grid);
+/** The grid's lines in the region. @param {RiemannMap} map @param {Grid} grid @param {boolean} [fine] @returns {Float64Array[]} */
+export function regionLines(map, grid, fine = true) {
+  const lines = diskLines(grid, fine);
   const ends = lines.map(({ length }) => length);
   const all = new Float64Array(ends.reduce((sum, n) => sum + n, 0));
   let at = 0;

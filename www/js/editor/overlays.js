@@ -17,6 +17,9 @@ export function wishesOf({ mesh, grid, field, heat, measure, density }, all) {
   return { mesh: mesh || all, grid: grid || field || all ? { field, density } : null, heat, measure };
 }
 
+/** The pictures in what maps say: they are handed over instead of copied. @param {Record<Side, Over>} over */
+export const heatPixels = (over) => [over.source, over.target].flatMap(({ heat }) => (heat ? [heat.pixels] : []));
+
 export class Overlays {
   #mesh;
   #over;

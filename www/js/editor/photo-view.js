@@ -61,7 +61,7 @@ export class PhotoView {
   }
 
   /** @param {Picture} picture @param {Store} store @param {Layers} layers */
-  #drawPhoto({ canvas, frame: whole }, { doc, mode }, { inside, heat, dim, over = [] }) {
+  #drawPhoto({ canvas, frame: whole }, { doc, mode, dragging }, { inside, heat, dim, over = [] }) {
     const drawing = this.#layer.begin(this.frame);
     const { context, frame } = drawing;
     const [width, height] = frame.pixels;
@@ -75,11 +75,13 @@ export class PhotoView {
     context.fill(outside, "evenodd");
     if (heat) {
       context.save();
-      context.clip(new Path2D(pathData(doc.region.boundary.map((p) => toPixels(frame, p)), true)));
+      context.imageSmoothingQuality = "low";
+      // Clean edges take time that a moving hand has not.
+      if (!dragging) context.clip(new Path2D(pathData(doc.region.boundary.map((p) => toPixels(frame, p)), true)));
       drawWithin(drawing, heat.picture, heat.frame);
       context.restore();
     }
-    drawLayers(drawing, over);
+    drawLayers(drawing, over, dragging);
   }
 
   /** @param {Store} store */

@@ -5,7 +5,7 @@ import { flatten, scaledTo, unflatten } from "../common/frame.js";
 import { arrowLines, meshEdges } from "../common/layers.js";
 import { bitmapOf } from "../common/plate.js";
 import { carriedHeat, DRAFT_HEAT, fenceOf, FINE_HEAT, heatOf, regionLines } from "../editor/field.js";
-import { drawnLayers } from "../editor/overlays.js";
+import { drawnLayers, heatPixels } from "../editor/overlays.js";
 import { readOutline } from "../editor/read-outline.js";
 import { SolvedMap } from "../editor/solved-map.js";
 
@@ -89,7 +89,7 @@ export class RegionsPipeline {
     joint?.free();
     /** @type {Result} */
     const result = { version, pixels: /** @type {Uint8ClampedArray<ArrayBuffer>} */ (pixels), view, mesh, over, evidence };
-    const arrays = mesh ? [pixels, mesh.source, mesh.target, mesh.triangles] : [pixels];
+    const arrays = [pixels, ...(mesh ? [mesh.source, mesh.target, mesh.triangles] : []), ...heatPixels(over)];
     return { result, transfer: arrays.map(({ buffer }) => buffer) };
   }
 
@@ -103,7 +103,7 @@ export class RegionsPipeline {
     const joint = triangulated(from, to, job, (share) => onShare((2 + share) / 3));
     const between = RegionMap.between(from.map, to.map);
     const edges = joint && job.show.mesh ? meshEdges(joint.triangles) : null;
-    const { source, target } = overOf({ ...job, show: { ...job.show, heat: false } }, from, to, between, joint);
+    const { source, target } = overOf({ ...job, fine: true, show: { ...job.show, heat: false } }, from, to, between, joint);
     const heat = job.show.heat ? stretchOf(from, to, between, FINE_HEAT) : null;
     const colours = heat && new Texture(heat.pixels, ...heat.frame.pixels);
     const way = { view, direction: /** @type {const} */ ("push-forward"), quality: /** @type {const} */ ("best") };
@@ -149,7 +149,7 @@ export class RegionsPipeline {
 /** What both maps say over the pictures: what goes to circles and rays, harmonic measure, how much the first is enlarged. @param {Job} job @param {Solved} from @param {Solved} to @param {RegionMap} between @param {JointTriangulation | null} joint @returns {Over} */
 function overOf({ show: { grid, heat, measure }, fine, view }, from, to, between, joint) {
   const stretch = heat ? stretchOf(from, to, between, fine ? FINE_HEAT : DRAFT_HEAT) : null;
-  const [source, target] = [from, to].map(({ map, corners }) => ({ lines: grid ? regionLines(map, grid) : [], fence: measure ? fenceOf(map, corners) : null }));
+  const [source, target] = [from, to].map(({ map, corners }) => ({ lines: grid ? regionLines(map, grid, fine) : [], fence: measure ? fenceOf(map, corners) : null }));
   return { source: { ...source, heat: stretch }, target: { ...target, heat: stretch && (joint ? carriedHeat(joint, stretch, view) : carriedHeat(between, stretch, scaledTo(view, FINE_HEAT / 2))) } };
 }
 
