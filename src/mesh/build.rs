@@ -96,7 +96,14 @@ pub(super) fn between(
     options: &MeshOptions,
     progress: Progress,
 ) -> Result<JointTriangulation> {
-    with_room(|room| chosen(map, options, room, progress)?.finish())
+    with_room(|room| {
+        let mut draft = chosen(map, options, room, progress)?;
+        if let Density::Spacing(_) = options.density {
+            draft.connect_valid(map, progress)?;
+            draft.measure();
+        }
+        draft.finish()
+    })
 }
 
 /// The same with the samples of the source where triangles of the target's samples have them.
@@ -125,17 +132,12 @@ fn with_room(mut make: impl FnMut(Room) -> Result<JointTriangulation>) -> Result
     }
 }
 
-/// The nodes that the options ask for, connected.
+/// The nodes that the options ask for; connected, if an error was asked for.
 fn chosen<'a>(map: &'a dyn Correspondence, options: &MeshOptions, room: Room, progress: Progress) -> Result<Draft<'a>> {
     options.check()?;
     let (pixels, frame) = match options.density {
         Density::MaxError { pixels, frame } => (pixels, frame),
-        Density::Spacing(spacing) => {
-            let mut draft = Draft::sampled(map, spacing, room)?;
-            draft.connect_valid(map, progress)?;
-            draft.measure();
-            return Ok(draft);
-        }
+        Density::Spacing(spacing) => return Draft::sampled(map, spacing, room),
     };
     let area = map.copies()[0].polygon().map_or(PI, Polygon::area);
     let mut draft = Draft::sampled(map, first_spacing(area), room)?;

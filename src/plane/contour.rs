@@ -52,6 +52,11 @@ impl Contour {
         }
     }
 
+    /// Points as near to the curve as this are on it, as far as numbers can tell.
+    pub fn thickness(&self) -> f64 {
+        self.thickness
+    }
+
     /// The polygon of its points: the curve itself, unless it is smooth.
     pub fn polygon(&self) -> &Polygon {
         &self.polygon

@@ -1,6 +1,6 @@
 //! A solved polygon: Symm's equation on panels, evaluated through the atlas.
 
-use super::atlas::{DiskPoint, Expansions, Position};
+use super::atlas::{DiskPoint, Expansions, Found, Position};
 use super::rounding::onto_disk;
 use super::solved_region::{Evidence, SolvedRegion};
 use crate::plane::{BoundaryPoint, Complex64, Region};
@@ -53,9 +53,14 @@ impl SolvedPolygon {
         self.solution.discretisation().boundary.unit
     }
 
+    /// How near to its boundary points are on it, in scaled units.
+    fn thickness(&self) -> f64 {
+        self.region.contour().thickness() * self.unit()
+    }
+
     #[inline]
     fn expansions(&self) -> &Expansions {
-        self.expansions.get_or_init(|| Expansions::new(&self.solution, &self.options))
+        self.expansions.get_or_init(|| Expansions::new(&self.solution, self.thickness(), &self.options))
     }
 
     /// Plane units → scaled units.
@@ -79,14 +84,14 @@ impl SolvedPolygon {
         let inwards = Complex64::i() * (b - a) / (b - a).norm();
         let beside = place.point + inwards * (BESIDE * polygon.size());
         let found = self.expansions().to_disk_with_slope(beside * self.unit());
-        found.map_or(Complex64::new(f64::NAN, f64::NAN), |(_, slope)| slope)
+        found.image().map_or(Complex64::new(f64::NAN, f64::NAN), |(_, slope)| slope)
     }
 
-    /// The image of a point that expansions take to lie outside: on the circle, if rounding put it there.
+    /// The image of a point beside what expansions know: on the circle, if rounding put it there.
     #[cold]
     fn on_circle(&self, z: Complex64) -> Option<DiskPoint> {
         let place = self.region.on_boundary(z - self.origin)?;
-        let known = self.expansions().to_disk(place.point * self.unit());
+        let known = self.expansions().to_disk(place.point * self.unit()).image();
         let point = known.unwrap_or_else(|| DiskPoint::flat(Complex64::cis(TAU * self.measure_at(place))));
         Some(point.onto_circle())
     }
@@ -149,14 +154,17 @@ impl SolvedRegion for SolvedPolygon {
 
     #[inline]
     fn to_disk(&self, z: Complex64) -> Option<DiskPoint> {
-        self.expansions().to_disk(self.scaled(z)).or_else(|| self.on_circle(z))
+        match self.expansions().to_disk(self.scaled(z)) {
+            Found::Beside => self.on_circle(z),
+            found => found.image(),
+        }
     }
 
     #[inline]
     fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
         let (point, slope) = match self.expansions().to_disk_with_slope(self.scaled(z)) {
-            Some(found) => found,
-            None => (self.on_circle(z)?, self.slope_beside(z)),
+            Found::Beside => (self.on_circle(z)?, self.slope_beside(z)),
+            found => found.image()?,
         };
         Some((point, slope * self.unit()))
     }
@@ -200,7 +208,7 @@ impl SolvedRegion for SolvedPolygon {
 
     fn prepare(&self, progress: Progress) -> Result<()> {
         if self.expansions.get().is_none() {
-            let built = Expansions::reporting(&self.solution, &self.options, progress)?;
+            let built = Expansions::reporting(&self.solution, self.thickness(), &self.options, progress)?;
             // If another thread was first, its are the same.
             let _ = self.expansions.set(built);
         }

@@ -114,10 +114,10 @@ const TAKE_OVER: f64 = 40.0;
 pub const BETTER: f64 = 1.2;
 
 impl Atlas {
-    /// With the region's own center only.
+    /// With the region's own center only. Points as near to the boundary as `thickness` are on it.
     #[must_use]
-    pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
-        let walls = Walls::new(&solution.discretisation().boundary);
+    pub fn new(solution: &Solution, thickness: f64, options: &SolveOptions) -> Self {
+        let walls = Walls::new(&solution.discretisation().boundary, thickness);
         let measure = Measure::from(solution);
         let series = measure.series();
         let charts = vec![Arc::new(Chart::new(measure, series, &walls))];

@@ -38,6 +38,7 @@ impl DiskSide {
         Self { parts: build(atlas, region, chart, accuracy, progress) }
     }
 
+    #[inline]
     fn leaf(&self, w: Complex64) -> Leaf {
         self.parts.tree.find(w).map_or(Leaf::Outside, Leaf::from)
     }
@@ -47,6 +48,13 @@ impl DiskSide {
     #[must_use]
     pub fn at(&self, w: Complex64) -> Source {
         match self.leaf(w) {
+            Leaf::Cell(index) => Source::Point(self.parts.cells.value(index, w).1, Complex64::ZERO),
+            leaf => self.by_leaf(leaf, w),
+        }
+    }
+
+    fn by_leaf(&self, leaf: Leaf, w: Complex64) -> Source {
+        match leaf {
             Leaf::Cell(index) => Source::Point(self.parts.cells.value(index, w).1, Complex64::ZERO),
             Leaf::Patch(index) => {
                 let patch = &self.parts.patches[index as usize];

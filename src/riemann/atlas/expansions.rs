@@ -111,24 +111,24 @@ impl Charted {
 }
 
 impl Expansions {
-    /// Builds the way to the disk of the first chart.
+    /// Builds the way to the disk of the first chart. Points as near to the boundary as `thickness` (scaled units) are on it.
     #[must_use]
-    pub fn new(solution: &Solution, options: &SolveOptions) -> Self {
-        let accuracy = Accuracy::of(solution);
-        Self::build(solution, options, accuracy, &mut |_, _| true)
+    pub fn new(solution: &Solution, thickness: f64, options: &SolveOptions) -> Self {
+        Self::build(solution, thickness, options, &mut |_, _| true)
     }
 
     /// [`Expansions::new`], unless `progress` cancels: then nothing is left of it.
     ///
     /// # Errors
     /// [`Error::Cancelled`].
-    pub fn reporting(solution: &Solution, options: &SolveOptions, progress: Progress) -> Result<Self> {
-        unless_cancelled(progress, |progress| Self::build(solution, options, Accuracy::of(solution), progress))
+    pub fn reporting(solution: &Solution, thickness: f64, options: &SolveOptions, progress: Progress) -> Result<Self> {
+        unless_cancelled(progress, |progress| Self::build(solution, thickness, options, progress))
     }
 
     /// Of no use once `progress` has returned false.
-    fn build(solution: &Solution, options: &SolveOptions, accuracy: Accuracy, progress: Progress) -> Self {
-        let atlas = Atlas::new(solution, options);
+    fn build(solution: &Solution, thickness: f64, options: &SolveOptions, progress: Progress) -> Self {
+        let accuracy = Accuracy::of(solution);
+        let atlas = Atlas::new(solution, thickness, options);
         let region = RegionSide::near(&solution.discretisation().boundary, &atlas, accuracy, progress);
         Self { near: Charted::new(atlas, region, accuracy), far: OnceLock::new(), accuracy }
     }
@@ -165,35 +165,38 @@ impl Expansions {
         self.far().prepare(progress)
     }
 
-    /// Region → disk; `None` outside the closed region.
+    /// Region → disk.
     #[inline]
     #[must_use]
-    pub fn to_disk(&self, z: Complex64) -> Option<DiskPoint> {
-        let image = match self.near.region.at(&self.near.atlas, z) {
-            Found::Crowded => self.to_disk_far(z)?,
-            near => near.image()?,
+    pub fn to_disk(&self, z: Complex64) -> Found<DiskPoint> {
+        let found = match self.near.region.at(&self.near.atlas, z) {
+            Found::Crowded => self.to_disk_far(z),
+            near => near,
         };
-        Some(DiskPoint { chart: image.0, w: image.1 })
+        found.map(|(chart, w)| DiskPoint { chart, w })
     }
 
     #[cold]
-    fn to_disk_far(&self, z: Complex64) -> Option<(usize, Complex64)> {
+    fn to_disk_far(&self, z: Complex64) -> Found<(usize, Complex64)> {
         let far = self.far();
-        far.region.at(&far.atlas, z).image()
+        far.region.at(&far.atlas, z)
     }
 
     /// Region → disk, with the derivative in the point's chart.
     #[inline]
     #[must_use]
-    pub fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
-        let (chart, w, slope) = match self.near.region.with_slope(&self.near.atlas, z) {
-            Found::Crowded => {
-                let far = self.far();
-                far.region.with_slope(&far.atlas, z).image()?
-            }
-            near => near.image()?,
+    pub fn to_disk_with_slope(&self, z: Complex64) -> Found<(DiskPoint, Complex64)> {
+        let found = match self.near.region.with_slope(&self.near.atlas, z) {
+            Found::Crowded => self.to_disk_far_with_slope(z),
+            near => near,
         };
-        Some((DiskPoint { chart, w }, slope))
+        found.map(|(chart, w, slope)| (DiskPoint { chart, w }, slope))
+    }
+
+    #[cold]
+    fn to_disk_far_with_slope(&self, z: Complex64) -> Found<(usize, Complex64, Complex64)> {
+        let far = self.far();
+        far.region.with_slope(&far.atlas, z)
     }
 
     /// d(flat point)/d(point in its chart).

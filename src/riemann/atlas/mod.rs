@@ -47,3 +47,4 @@ pub use disk_point::DiskPoint;
 pub use expansions::Expansions;
 pub use passage::{Compass, Passage};
 pub use position::Position;
+pub use region_side::Found;

@@ -214,7 +214,7 @@ impl Builder {
     fn decide(&mut self, atlas: &Atlas, square: Square, walls: &WallList) -> Step<WallList> {
         let radius = square.half * std::f64::consts::SQRT_2;
         let nearest = atlas.walls.nearest(square.center, walls);
-        if !nearest.inside && nearest.distance > radius {
+        if !nearest.inside && nearest.distance > radius + atlas.walls.thickness {
             return Step::Leaf(Leaf::Outside.into());
         }
         if nearest.inside && radius <= SHARE_OF_WALL * nearest.distance {

@@ -1,6 +1,5 @@
 //! Region → disk: a quadtree of Taylor polynomials, and of patches where the boundary is.
 
-use super::super::rounding::ON_BOUNDARY;
 use super::accuracy::Accuracy;
 use super::charts::Atlas;
 use super::leaf::Leaf;
@@ -28,6 +27,8 @@ pub enum Found<T> {
     Image(T),
     /// The first chart alone tells too little apart there.
     Crowded,
+    /// It lies outside of what its expansion knows: outside the region or, but for rounding, on the boundary.
+    Beside,
     /// It lies outside.
     Nowhere,
 }
@@ -37,12 +38,23 @@ impl<T> Found<T> {
     pub fn image(self) -> Option<T> {
         match self {
             Self::Image(image) => Some(image),
-            Self::Crowded | Self::Nowhere => None,
+            Self::Crowded | Self::Beside | Self::Nowhere => None,
         }
     }
 
     fn from(image: Option<T>) -> Self {
-        image.map_or(Self::Nowhere, Self::Image)
+        image.map_or(Self::Beside, Self::Image)
+    }
+
+    /// With another kind of image.
+    #[inline]
+    pub fn map<U>(self, change: impl FnOnce(T) -> U) -> Found<U> {
+        match self {
+            Self::Image(image) => Found::Image(change(image)),
+            Self::Crowded => Found::Crowded,
+            Self::Beside => Found::Beside,
+            Self::Nowhere => Found::Nowhere,
+        }
     }
 }
 
@@ -87,6 +99,15 @@ impl RegionSide {
     #[inline]
     #[must_use]
     pub fn at(&self, atlas: &Atlas, z: Complex64) -> Found<(usize, Complex64)> {
+        // Most points lie in a cell of the first chart, which is no more than a polynomial.
+        match self.near.tree.find(z).map(Leaf::from) {
+            Some(Leaf::Cell(index)) => Found::Image(self.near.cells.value(index, z)),
+            Some(Leaf::Outside) | None => Found::Nowhere,
+            Some(_) => self.by_leaf(atlas, z),
+        }
+    }
+
+    fn by_leaf(&self, atlas: &Atlas, z: Complex64) -> Found<(usize, Complex64)> {
         let (parts, leaf) = self.leaf(z);
         match leaf {
             Leaf::Cell(index) => Found::Image(parts.cells.value(index, z)),
@@ -104,6 +125,14 @@ impl RegionSide {
     #[inline]
     #[must_use]
     pub fn with_slope(&self, atlas: &Atlas, z: Complex64) -> Found<(usize, Complex64, Complex64)> {
+        match self.near.tree.find(z).map(Leaf::from) {
+            Some(Leaf::Cell(index)) => Found::Image(self.near.cells.value_and_slope(index, z)),
+            Some(Leaf::Outside) | None => Found::Nowhere,
+            Some(_) => self.by_leaf_with_slope(atlas, z),
+        }
+    }
+
+    fn by_leaf_with_slope(&self, atlas: &Atlas, z: Complex64) -> Found<(usize, Complex64, Complex64)> {
         let (parts, leaf) = self.leaf(z);
         match leaf {
             Leaf::Cell(index) => Found::Image(parts.cells.value_and_slope(index, z)),
@@ -114,7 +143,7 @@ impl RegionSide {
             Leaf::Sum(chart) => {
                 let nearest = atlas.walls.nearest_of_all(z);
                 if !nearest.inside || nearest.distance == 0.0 {
-                    return Found::Nowhere;
+                    return Found::Beside;
                 }
                 let mut coefficients = [Complex64::ZERO; 2];
                 atlas.charts[chart as usize].expand(z, 0.1 * nearest.distance, &mut coefficients);
@@ -169,7 +198,7 @@ impl RegionSide {
     fn directly(&self, atlas: &Atlas, chart: usize, z: Complex64) -> Option<Complex64> {
         let nearest = atlas.walls.nearest_of_all(z);
         let map = &atlas.charts[chart];
-        if nearest.distance <= ON_BOUNDARY {
+        if nearest.distance <= atlas.walls.thickness {
             let length = self.boundary.lengths[nearest.edge];
             let measure = map.measure((nearest.edge, nearest.along, length - nearest.along));
             return Some(Complex64::cis(std::f64::consts::TAU * measure));

@@ -9,6 +9,8 @@ use std::sync::Arc;
 pub struct Walls {
     boundary: Arc<Boundary>,
     tree: Arc<EdgeTree>,
+    /// Points as near to the boundary as this are on it, as far as numbers can tell.
+    pub thickness: f64,
     /// Whether the map is singular at each vertex: unless π is a multiple of the interior angle, it is.
     singular: Vec<bool>,
 }
@@ -26,10 +28,11 @@ pub struct Nearest {
 
 impl Walls {
     #[must_use]
-    pub fn new(boundary: &Arc<Boundary>) -> Self {
+    pub fn new(boundary: &Arc<Boundary>, thickness: f64) -> Self {
         let regular = |alpha: &f64| (1.0 / alpha - (1.0 / alpha).round()).abs() < 1e-9;
         let singular = boundary.alpha.iter().map(|alpha| !regular(alpha)).collect();
-        Self { boundary: Arc::clone(boundary), tree: Arc::new(EdgeTree::new(&boundary.vertices)), singular }
+        let tree = Arc::new(EdgeTree::new(&boundary.vertices));
+        Self { boundary: Arc::clone(boundary), tree, thickness, singular }
     }
 
     /// `z` in the coordinates of an edge: start at 0, along the real axis, the region above.
