@@ -65,10 +65,18 @@ pub fn solve_again(
     progress: Progress,
 ) -> Result<Solution> {
     let discretisation = previous.discretisation();
-    let center = center * discretisation.boundary.unit;
-    let rules = Rules::new(discretisation.order.clone());
-    let guess = moved_measure(previous, center);
-    seen_from(center, Arc::clone(&previous.system), rules, Some(guess), options, progress)
+    let boundary = &discretisation.boundary;
+    let center = center * boundary.unit;
+    let mut rules = Rules::new(discretisation.order.clone());
+    let facing = halved_towards(center, FACING, boundary, discretisation.panels.clone());
+    if facing.len() == discretisation.panels.len() {
+        let guess = moved_measure(previous, center);
+        return seen_from(center, Arc::clone(&previous.system), rules, Some(guess), options, progress);
+    }
+    // Much nearer to the boundary: residuals would halve panels once a round.
+    let discretisation = Discretisation::new(Arc::clone(boundary), facing, &mut rules);
+    let system = Arc::new(System::new(discretisation, progress)?);
+    seen_from(center, system, rules, None, options, progress)
 }
 
 /// Solves problems for `domain`, all on the same panels, refining until the estimate meets the tolerance for each. `problems`
