@@ -242,6 +242,18 @@ pub enum Error {
         /// Why the numbers do not make one.
         reason: &'static str,
     },
+    /// Two canonical regions of one kind but different shape.
+    #[error(
+        "{what} of different modulus cannot be joined conformally: theirs are {first:.10} and {second:.10}. Make them equal, or let one be stretched onto the other, which is not conformal."
+    )]
+    DifferentModuli {
+        /// What is to be joined.
+        what: &'static str,
+        /// The modulus of the first: the ratio of a ring's radii, or of a rectangle's sides.
+        first: f64,
+        /// That of the second.
+        second: f64,
+    },
     /// The caller's progress function asked to stop.
     #[error("The computation was cancelled.")]
     Cancelled,
@@ -280,6 +292,7 @@ impl Error {
             Self::InvalidParameter { .. } => "invalid-parameter",
             Self::UnknownParameter { .. } => "unknown-parameter",
             Self::InvalidMap { .. } => "invalid-map",
+            Self::DifferentModuli { .. } => "different-moduli",
             Self::Cancelled => "cancelled",
         }
     }

@@ -6,9 +6,12 @@ use conformal_warp::wasm::annulus::AnnulusMap;
 use conformal_warp::wasm::electrostatics::{ConductorOptions, Electrostatics};
 use conformal_warp::wasm::exterior::{BodyOptions, ExteriorMap};
 use conformal_warp::wasm::flow::{FlowOptions, PotentialFlow};
+use conformal_warp::wasm::half_plane::{HalfPlaneMap, HalfPlaneOptions};
+use conformal_warp::wasm::rectangle::{RectangleMap, RectangleOptions};
 use conformal_warp::wasm::region::{ExteriorOptions, Region, RegionOptions};
 use conformal_warp::wasm::riemann::{RiemannMap, RiemannOptions};
 use conformal_warp::wasm::slits::{SlitMap, SlitOptions};
+use conformal_warp::wasm::strip::{StripMap, StripOptions};
 use js_sys::Reflect;
 use tsify::Ts;
 use wasm_bindgen::{JsCast, JsValue};
@@ -67,6 +70,30 @@ fn a_frame_goes_to_a_ring_and_back() {
     assert!((images[0] - 1.0).abs() < 1e-12 && images[1].abs() < 1e-12 && images[4].is_nan(), "{images:?}");
     let back = map.from_annulus(&images[2..4]).unwrap();
     assert!((back[0] - 0.7).abs() < 1e-10 && (back[1] - 0.1).abs() < 1e-10, "{back:?}");
+}
+
+#[wasm_bindgen_test]
+fn quadrilaterals_strips_and_half_planes() {
+    let rectangle = "boundary: new Float64Array([0, 0, 2, 0, 2, 1, 0, 1]), center: [1, 0.5], toward: [2, 0.5]";
+    let rectangle = region(rectangle).unwrap();
+    let corners = |text: &str| Ts::<RectangleOptions>::new_unchecked(object(&format!("corners: {text}")));
+    let map = RectangleMap::solve(&rectangle, corners("[[0, 0], [2, 0], [2, 1], [0, 1]]"), fine()).unwrap();
+    assert!((map.aspect() - 2.0).abs() < 1e-12, "{}", map.aspect());
+    let there = map.to_rectangle(&[0.3, 0.8, 3.0, 0.0]).unwrap();
+    assert!((there[0] - 0.3).abs() < 1e-11 && (there[1] - 0.8).abs() < 1e-11 && there[2].is_nan(), "{there:?}");
+    let wrong = RectangleMap::solve(&rectangle, corners("[[0, 0], [0, 1], [2, 1], [2, 0]]"), None);
+    assert_eq!(code(&JsValue::from(wrong.err().unwrap())), "invalid-map");
+    let wrong = RectangleMap::solve(&rectangle, corners("[[0, 0], [0, 1], [2, 1]]"), None);
+    assert_eq!(code(&JsValue::from(wrong.err().unwrap())), "invalid-option");
+
+    let ends = Ts::<StripOptions>::new_unchecked(object("ends: [[0, 0.5], [2, 0.5]]"));
+    let map = StripMap::solve(&rectangle, ends, fine()).unwrap();
+    let there = map.to_strip(&[1.0, 0.5, 1.0, 0.0]).unwrap();
+    assert!(there.iter().zip([0.0, 0.5, 0.0, 0.0]).all(|(a, b)| (a - b).abs() < 1e-12), "{there:?}");
+    let pole = Ts::<HalfPlaneOptions>::new_unchecked(object("pole: [2, 0.5]"));
+    let map = HalfPlaneMap::solve(&rectangle, pole, fine()).unwrap();
+    let back = map.from_half_plane(&[0.0, 1.0, 0.0, 0.0]).unwrap();
+    assert!(back.iter().zip([1.0, 0.5, 0.0, 0.5]).all(|(a, b)| (a - b).abs() < 1e-11), "{back:?}");
 }
 
 #[wasm_bindgen_test]

@@ -2,13 +2,14 @@
 #![cfg(target_arch = "wasm32")]
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+use conformal_warp::wasm::canonical::Joinable;
 use conformal_warp::wasm::region::{Region, RegionOptions};
 use conformal_warp::wasm::region_map::RegionMap;
 use conformal_warp::wasm::riemann::{CenterOptions, RiemannMap, RiemannOptions};
 use js_sys::Reflect;
 use std::f64::consts::FRAC_PI_2;
 use tsify::Ts;
-use wasm_bindgen::JsValue;
+use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn object(fields: &str) -> JsValue {
@@ -159,7 +160,8 @@ fn both_ways_and_between_regions() {
     let slope = map.derivative(&[0.0, 0.0]).unwrap();
     assert!((slope[0].hypot(slope[1]) * map.conformal_radius() - 1.0).abs() < 1e-9);
 
-    let same = RegionMap::between(&map, &map);
+    let map: Joinable = JsValue::from(map).unchecked_into();
+    let same = RegionMap::between(&map, &map, None).unwrap();
     let moved = same.forward(&points).unwrap();
     assert!(moved.iter().zip(points).all(|(a, b)| (a - b).abs() < 1e-8), "{moved:?}");
     assert_eq!(same.inverse(&points).unwrap().len(), 4);

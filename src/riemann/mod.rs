@@ -1,11 +1,14 @@
 //! Riemann maps: region ↔ disk by Symm's equation, and region ↔ region through the disk.
 //!
 //! [`RiemannMap`] asks a `solved_region`, which is a `polygon` that answers through an `atlas` of charts, or a `smooth`
-//! curve; [`RegionMap`] joins two of them.
+//! curve; [`RegionMap`] joins two of them, and `marked` takes the disk on to a rectangle, a strip, the half plane.
 
 mod atlas;
 mod doubt;
+mod evidence;
 mod holes;
+mod joined;
+mod marked;
 mod polygon;
 mod region_map;
 mod riemann_map;
@@ -17,5 +20,7 @@ pub use atlas::DiskPoint;
 pub use holes::{
     AnnulusMap, Circulation, Conductors, Electrostatics, ExteriorMap, PotentialFlow, Slit, SlitKind, SlitMap,
 };
+pub use joined::{CanonicalMap, JoinedMap};
+pub use marked::{HalfPlaneMap, RectangleMap, StripMap};
 pub use region_map::RegionMap;
 pub use riemann_map::RiemannMap;

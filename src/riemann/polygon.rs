@@ -188,6 +188,16 @@ impl SolvedRegion for SolvedPolygon {
         Some((self.plane(z), slope / self.unit()))
     }
 
+    fn beside(&self, vertex: usize, z: Complex64) -> Option<(usize, Complex64)> {
+        self.expansions().beside(vertex, self.scaled(z))
+    }
+
+    fn from_beside(&self, vertex: usize, chart: usize, angle: Complex64) -> Option<(Complex64, Complex64)> {
+        let there = self.region.polygon().vertices()[vertex] * self.unit();
+        let (z, slope) = self.expansions().from_beside((vertex, there), chart, angle)?;
+        Some((self.plane(z), slope / self.unit()))
+    }
+
     #[inline]
     fn flat(&self, point: DiskPoint) -> Complex64 {
         self.expansions().flat(point)

@@ -1,29 +1,17 @@
 //! What [`RiemannMap`](super::RiemannMap) asks of a solved region, whatever its boundary is made of.
 
 use super::atlas::{DiskPoint, Position};
+pub(super) use super::evidence::Evidence;
 use super::rounding::onto_disk;
 use crate::Result;
 use crate::map::{Jet, pointwise};
 use crate::plane::{BoundaryPoint, Complex64};
-use crate::symm::options::{Progress, SolveOptions, Stop};
+use crate::symm::options::{Progress, SolveOptions};
 use std::fmt::Debug;
 use std::sync::Arc;
 
 /// The image of what has none.
 pub(super) const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
-
-/// How good a solution is.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Evidence {
-    /// Largest violation of the boundary condition log|f| = 0 where it was not imposed.
-    pub residual: f64,
-    /// Estimate of the largest error of the map, in units of the disk.
-    pub error_estimate: f64,
-    /// Why the solve ended.
-    pub stop: Stop,
-    /// Number of unknowns of the last system solved.
-    pub unknowns: usize,
-}
 
 /// A region with its solution of Symm's equation: region ↔ disk with vertex 0 ↦ 1, in plane units, with the evidence.
 ///
@@ -70,6 +58,17 @@ pub(super) trait SolvedRegion: Debug + Send + Sync {
 
     /// Disk → region, with the derivative by the point's number in its chart.
     fn from_disk_with_slope(&self, point: DiskPoint) -> Option<(Complex64, Complex64)>;
+
+    /// Beside a vertex, where its own variable serves: the chart, and −i log(w/w₀) with the relative accuracy of the distance from
+    /// it, w₀ being the vertex' image in that chart.
+    fn beside(&self, _vertex: usize, _z: Complex64) -> Option<(usize, Complex64)> {
+        None
+    }
+
+    /// The inverse of [`SolvedRegion::beside`]: the place, and its derivative by the value.
+    fn from_beside(&self, _vertex: usize, _chart: usize, _angle: Complex64) -> Option<(Complex64, Complex64)> {
+        None
+    }
 
     /// The point as a number of the disk.
     fn flat(&self, point: DiskPoint) -> Complex64 {

@@ -1,5 +1,6 @@
 //! `AnnulusMap` in JavaScript.
 
+use super::canonical::joinable;
 use super::error::Failure;
 use super::points;
 use super::region::Region;
@@ -64,6 +65,8 @@ impl AnnulusMap {
         self.1.capacity()
     }
 }
+
+joinable!(AnnulusMap, 1);
 
 solved_methods! {
     AnnulusMap, 1,

@@ -1,5 +1,6 @@
 //! `ExteriorMap` in JavaScript.
 
+use super::canonical::joinable;
 use super::error::Failure;
 use super::options::{self, Point};
 use super::points;
@@ -73,6 +74,8 @@ impl ExteriorMap {
         self.1.capacity()
     }
 }
+
+joinable!(ExteriorMap, 1);
 
 solved_methods! {
     ExteriorMap, 1,

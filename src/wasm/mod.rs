@@ -9,6 +9,8 @@
 #[cfg(feature = "regions")]
 pub mod annulus;
 #[cfg(feature = "regions")]
+pub mod canonical;
+#[cfg(feature = "regions")]
 pub mod cortex;
 #[cfg(feature = "regions")]
 pub mod electrostatics;
@@ -20,6 +22,8 @@ pub mod flow;
 pub mod formula;
 pub mod foveated;
 pub mod frame;
+#[cfg(feature = "regions")]
+pub mod half_plane;
 pub mod memory;
 #[cfg(feature = "regions")]
 pub mod mesh;
@@ -30,6 +34,8 @@ pub mod prepared;
 pub mod presets;
 pub mod progress;
 #[cfg(feature = "regions")]
+pub mod rectangle;
+#[cfg(feature = "regions")]
 pub mod region;
 #[cfg(feature = "regions")]
 pub mod region_map;
@@ -39,6 +45,8 @@ pub mod riemann;
 pub mod slits;
 #[cfg(feature = "regions")]
 mod solved;
+#[cfg(feature = "regions")]
+pub mod strip;
 pub mod texture;
 pub mod warp;
 

@@ -1,22 +1,41 @@
 //! `RegionMap` in JavaScript.
 
+use super::canonical::Joinable;
 use super::error::Failure;
+use super::options;
 use super::points;
-use super::riemann::RiemannMap;
 use super::warp::{self};
+use crate::riemann::JoinedMap;
 use crate::warp::Direction;
+use serde::Deserialize;
+use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The conformal map region A → region B through the disk: center to center, `toward` to `toward`.
+/// How two maps are joined.
+#[derive(Debug, Default, Deserialize, Tsify)]
+#[serde(default)]
+pub struct JoinOptions {
+    /// Whether rings or rectangles of different shape are stretched onto each other, which is not conformal; false by default.
+    #[tsify(optional)]
+    pub stretch: bool,
+}
+
+/// The conformal map region A → region B through the region that both are mapped onto: the disk, center to center and `toward` to
+/// `toward`; or a ring, the outside of the disk, a rectangle, the strip, the half plane.
 #[derive(Debug)]
 #[wasm_bindgen]
-pub struct RegionMap(crate::riemann::RegionMap);
+pub struct RegionMap(JoinedMap);
 
 #[wasm_bindgen]
 impl RegionMap {
     /// The map from A's region to B's. Nothing is solved; both maps may be freed afterwards.
-    pub fn between(a: &RiemannMap, b: &RiemannMap) -> Self {
-        Self(crate::riemann::RegionMap::between(a.inner(), b.inner()))
+    ///
+    /// Throws "different-moduli" for rings and rectangles of different shape, unless they may be stretched; "invalid-map" for maps
+    /// onto regions of different kinds.
+    pub fn between(a: &Joinable, b: &Joinable, options: Option<Ts<JoinOptions>>) -> Result<Self, Failure> {
+        let JoinOptions { stretch } = options::read_or_default(options.as_ref())?;
+        let [a, b] = [a, b].map(|map| map.canonical().into_inner());
+        Ok(Self(if stretch { JoinedMap::stretching(a, b)? } else { JoinedMap::between(a, b)? }))
     }
 
     /// A → B, point by point `[x0, y0, x1, y1, …]`; NaN outside the closed region A.
@@ -39,10 +58,16 @@ impl RegionMap {
         Ok(points::to_flat(&self.0.try_inverse(&points)?))
     }
 
-    /// The derivative of `forward`; NaN outside, and where that throws.
+    /// The derivative of `forward`, ∂/∂z where it stretches; NaN outside, and where that throws.
     pub fn derivative(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         let points = points::from_flat("The points", points)?;
         Ok(points::to_flat(&self.0.derivative(&points)))
+    }
+
+    /// Whether the map is conformal: not if it stretches.
+    #[wasm_bindgen(getter, js_name = isAnalytic)]
+    pub fn is_analytic(&self) -> bool {
+        self.0.is_analytic()
     }
 }
 

@@ -1,5 +1,6 @@
 //! `RiemannMap` in JavaScript.
 
+use super::canonical::joinable;
 use super::error::Failure;
 use super::memory;
 use super::options::{self, Point};
@@ -211,6 +212,8 @@ impl RiemannMap {
         self.0.unknowns()
     }
 }
+
+joinable!(RiemannMap, 0);
 
 impl RiemannMap {
     /// The map itself, for the classes that are made from one.

@@ -10,6 +10,7 @@ mod evaluate;
 mod formula;
 mod holes;
 mod hostile;
+mod marked;
 mod mesh;
 mod support;
 mod symm;

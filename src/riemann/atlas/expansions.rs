@@ -6,6 +6,7 @@ use super::charts::Atlas;
 use super::disk_point::DiskPoint;
 use super::disk_side::{DiskSide, Source};
 use super::inverse_cell::{Inverter, Pair};
+use super::patch::Patch;
 use super::position::Position;
 use super::region_side::{Found, RegionSide};
 use crate::plane::Complex64;
@@ -197,6 +198,29 @@ impl Expansions {
     fn to_disk_far_with_slope(&self, z: Complex64) -> Found<(usize, Complex64, Complex64)> {
         let far = self.far();
         far.region.with_slope(&far.atlas, z)
+    }
+
+    /// Beside a vertex, where its own variable serves: the chart, and −i log(w/w₀) with the relative accuracy of the distance from
+    /// it, w₀ being the vertex' image.
+    #[must_use]
+    pub fn beside(&self, vertex: usize, z: Complex64) -> Option<(usize, Complex64)> {
+        let patch = self.patch_at(z)?;
+        Some((patch.chart, patch.beside(vertex, z)?))
+    }
+
+    /// The inverse of [`Expansions::beside`] for a vertex that lies at `z` and a chart: the place, and its derivative by −i log w.
+    #[must_use]
+    pub fn from_beside(
+        &self,
+        (vertex, z): (usize, Complex64),
+        chart: usize,
+        angle: Complex64,
+    ) -> Option<(Complex64, Complex64)> {
+        self.patch_at(z).filter(|patch| patch.chart == chart)?.from_beside(vertex, angle)
+    }
+
+    fn patch_at(&self, z: Complex64) -> Option<&Patch> {
+        self.near.region.patch_at(z).or_else(|| self.far().region.patch_at(z))
     }
 
     /// d(flat point)/d(point in its chart).

@@ -33,30 +33,38 @@ impl Link {
         self.a.norm()
     }
 
+    /// b̄ w + ā: the derivative at w is its square's inverse, and the image of a chord from w to v is the chord over
+    /// `root(w) root(v)`.
+    #[inline]
+    #[must_use]
+    pub fn root(&self, w: Complex64) -> Complex64 {
+        self.b.conj() * w + self.a.conj()
+    }
+
     /// The image of a point of the closed disk.
     #[inline]
     #[must_use]
     pub fn apply(&self, w: Complex64) -> Complex64 {
-        (self.a * w + self.b) / (self.b.conj() * w + self.a.conj())
+        (self.a * w + self.b) / self.root(w)
     }
 
     /// Its derivative there.
     #[inline]
     #[must_use]
     pub fn slope(&self, w: Complex64) -> Complex64 {
-        (self.b.conj() * w + self.a.conj()).powi(-2)
+        self.root(w).powi(-2)
     }
 
     /// The size of the derivative.
     #[must_use]
     pub fn stretch(&self, w: Complex64) -> f64 {
-        1.0 / (self.b.conj() * w + self.a.conj()).norm_sqr()
+        1.0 / self.root(w).norm_sqr()
     }
 
     /// The least and the largest size of the derivative in the disk around `center`.
     #[must_use]
     pub fn stretch_within(&self, center: Complex64, radius: f64) -> (f64, f64) {
-        let (distance, reach) = ((self.b.conj() * center + self.a.conj()).norm(), self.b.norm() * radius);
+        let (distance, reach) = (self.root(center).norm(), self.b.norm() * radius);
         ((distance + reach).powi(-2), (distance - reach).max(0.0).powi(-2))
     }
 

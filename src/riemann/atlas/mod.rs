@@ -45,6 +45,7 @@ mod zone;
 
 pub use disk_point::DiskPoint;
 pub use expansions::Expansions;
+pub use link::Link;
 pub use passage::{Compass, Passage};
 pub use position::Position;
 pub use region_side::Found;

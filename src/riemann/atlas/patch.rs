@@ -87,6 +87,47 @@ impl Patch {
         Some((w, Complex64::i() * w * slope * self.zone.slope(tau)))
     }
 
+    /// −i log(w/w₀), w₀ being the image of a vertex and w that of z, with the relative accuracy of z's distance from it: `None`
+    /// unless this is the patch around that vertex, or if z lies outside.
+    #[must_use]
+    pub fn beside(&self, vertex: usize, z: Complex64) -> Option<Complex64> {
+        match self.zone.place(z) {
+            Place::At(tau) if self.is_around(vertex) => Some(real_value(&self.coefficients, tau)),
+            _ => None,
+        }
+    }
+
+    /// The place for a value of [`Patch::beside`], and its derivative by that; `None` beyond the zone.
+    #[must_use]
+    pub fn from_beside(&self, vertex: usize, angle: Complex64) -> Option<(Complex64, Complex64)> {
+        if !self.is_around(vertex) {
+            return None;
+        }
+        let mut tau = angle / self.coefficients[0];
+        for _ in 0..MOST_STEPS {
+            let (value, slope) = real_value_and_slope(&self.coefficients, tau);
+            let step = (value - angle) / slope;
+            tau -= step;
+            if step.norm_sqr() <= STEP * STEP * tau.norm_sqr() {
+                break;
+            }
+        }
+        if angle.im == 0.0 {
+            tau.im = 0.0;
+        }
+        let (value, slope) = real_value_and_slope(&self.coefficients, tau);
+        let missed = (value - angle).norm() > MISSED * angle.norm();
+        // Written so that NaN is beyond.
+        if missed || !(tau.norm_sqr() <= 1.0 && tau.im >= 0.0) {
+            return None;
+        }
+        Some((self.zone.point(tau), (slope * self.zone.slope(tau)).inv()))
+    }
+
+    fn is_around(&self, vertex: usize) -> bool {
+        self.zone.along == 0.0 && self.zone.edge == vertex
+    }
+
     fn on_disk(&self, angle: Complex64) -> Complex64 {
         Complex64::from_polar((-angle.im).exp(), self.theta + angle.re)
     }
@@ -195,6 +236,8 @@ impl Patch {
 /// Newton's method ends after a step this small, the next being below rounding.
 const STEP: f64 = 1e-9;
 const MOST_STEPS: usize = 20;
+/// What Newton's method found is none if it misses by this share.
+const MISSED: f64 = 1e-12;
 const LONGEST_STEP: f64 = 0.3;
 /// |τ|² of roots that belong to the zone, with some room.
 const ROOTS_WITHIN: f64 = 1.3;

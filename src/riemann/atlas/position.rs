@@ -36,6 +36,12 @@ impl Position {
         }
     }
 
+    /// This chart → another of the same region.
+    #[must_use]
+    pub fn link_to(&self, to: &Self) -> Link {
+        self.passage(to, &Angle::ZERO)
+    }
+
     /// The direction in which the first chart sees the point e^(i·`angle`) of this chart's circle.
     #[must_use]
     pub fn direction_of(&self, angle: f64) -> Angle {

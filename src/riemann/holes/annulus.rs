@@ -1,7 +1,8 @@
 //! The map of a region with one hole onto a ring.
 
+use super::super::evidence::{Evidence, evidence_methods};
 use super::canonical::{Canonical, Form, places, two_ways};
-use super::solved::{Evidence, Solved, evidence_methods};
+use super::solved::Solved;
 use crate::plane::{Complex64, Domain};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::problem::Problem;

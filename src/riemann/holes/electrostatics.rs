@@ -1,7 +1,8 @@
 //! Electrostatics between conductors of any cross-section.
 
+use super::super::evidence::{Evidence, evidence_methods};
 use super::field::DomainField;
-use super::solved::{Evidence, Solved, evidence_methods};
+use super::solved::Solved;
 use crate::plane::{Complex64, Domain};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::problem::Problem;

@@ -1,7 +1,8 @@
 //! The map of the outside of a body onto the outside of the disk.
 
+use super::super::evidence::{Evidence, evidence_methods};
 use super::canonical::{Canonical, Form, places, two_ways};
-use super::solved::{Evidence, Solved, evidence_methods};
+use super::solved::Solved;
 use crate::plane::{Complex64, Domain};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::problem::Problem;

@@ -1,8 +1,9 @@
 //! Flow of an ideal fluid past bodies.
 
+use super::super::evidence::{Evidence, evidence_methods};
 use super::field::DomainField;
 use super::peak::peak;
-use super::solved::{Evidence, Solved, evidence_methods};
+use super::solved::Solved;
 use crate::plane::{Complex64, Domain, DomainPoint};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::problem::{Problem, Source};

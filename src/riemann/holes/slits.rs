@@ -1,9 +1,10 @@
 //! Maps of regions with any number of holes onto regions with slits.
 
+use super::super::evidence::{Evidence, evidence_methods};
 use super::canonical::{Canonical, Form, places, two_ways};
 use super::field::DomainField;
 use super::peak::peak;
-use super::solved::{Evidence, Scale, Solved, evidence_methods};
+use super::solved::{Scale, Solved};
 use crate::plane::{Complex64, Domain};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::problem::{Problem, Source};

@@ -1,28 +1,16 @@
 //! Problems solved on a domain, whatever its boundary is made of.
 
+use super::super::evidence::Evidence;
 use super::field::DomainField;
 use crate::plane::{Complex64, Domain, SmoothCurve};
 use crate::symm::field::Field;
-use crate::symm::options::{Progress, SolveOptions, Stop};
+use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::problem::{Problem, Source};
 use crate::symm::smooth_field::SmoothField;
 use crate::symm::smooth_solve::{SmoothAdapted, solve_smooth_problems};
 use crate::symm::solve::{Adapted, solve_problems};
 use crate::{Error, Result};
 use std::sync::Arc;
-
-/// What a solve says of itself.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Evidence {
-    /// Largest violation of the equations where they were not imposed.
-    pub residual: f64,
-    /// Estimate of the largest error.
-    pub error_estimate: f64,
-    /// Number of unknowns.
-    pub unknowns: usize,
-    /// Why the solve ended.
-    pub stop: Stop,
-}
 
 /// The coordinates that problems are stated in: (z − origin) × unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -158,35 +146,3 @@ impl Solved {
         DomainField::new(Arc::clone(&self.domain), self.scale.origin, self.scale.unit, field)
     }
 }
-
-/// Gives a class with a field `evidence` the methods that tell it.
-macro_rules! evidence_methods {
-    ($class:ident, $of_what:literal) => {
-        impl $class {
-            #[doc = concat!("Estimate of the largest error ", $of_what)]
-            #[must_use]
-            pub fn error_estimate(&self) -> f64 {
-                self.evidence.error_estimate
-            }
-
-            /// Largest violation of the boundary conditions where they were not imposed.
-            #[must_use]
-            pub fn residual(&self) -> f64 {
-                self.evidence.residual
-            }
-
-            /// Number of unknowns of the last system solved.
-            #[must_use]
-            pub fn unknowns(&self) -> usize {
-                self.evidence.unknowns
-            }
-
-            /// Why the solve ended: with the tolerance met, or short of it.
-            #[must_use]
-            pub fn stop(&self) -> $crate::symm::options::Stop {
-                self.evidence.stop
-            }
-        }
-    };
-}
-pub(super) use evidence_methods;

@@ -4,6 +4,7 @@ mod annulus;
 mod estimate;
 mod exterior;
 mod flow;
+mod joined;
 mod slits;
 
 use conformal_warp::{Complex64, SolveOptions};
