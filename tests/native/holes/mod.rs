@@ -4,7 +4,9 @@ mod annulus;
 mod estimate;
 mod exterior;
 mod flow;
+mod independent;
 mod joined;
+mod opened;
 mod slits;
 
 use conformal_warp::{Complex64, SolveOptions};
