@@ -197,6 +197,17 @@ impl Domain {
         DomainPoint { component, place: BoundaryPoint { edge, t: place - edge as f64, point: Complex64::ZERO } }
     }
 
+    /// The point there.
+    pub(crate) fn point_along(&self, component: usize, edges: f64) -> Complex64 {
+        let DomainPoint { place, .. } = self.place_along(component, edges);
+        let contour = &self.contours[component];
+        if let Some(curve) = contour.smooth() {
+            return curve.point(curve.parameter(place));
+        }
+        let (a, b) = contour.polygon().edge(place.edge);
+        a + (b - a) * place.t
+    }
+
     /// The polygons of its components, the region to the left of each.
     pub(crate) fn oriented_polygons(&self) -> Vec<Polygon> {
         let outer = |k: usize| self.bounded && k == 0;

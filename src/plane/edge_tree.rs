@@ -58,6 +58,12 @@ impl EdgeTree {
     /// Over the edges between consecutive vertices.
     #[must_use]
     pub fn new(vertices: &[Complex64]) -> Self {
+        Self::joined(vertices, |k| (k + 1) % vertices.len())
+    }
+
+    /// Over the edges from each vertex to the one that `next` tells.
+    #[must_use]
+    pub fn joined(vertices: &[Complex64], next: impl Fn(usize) -> usize) -> Self {
         let edges = vertices.len();
         let leaves = edges.div_ceil(LEAF_EDGES).next_power_of_two();
         let mut tree = Self { boxes: vec![Bounds::EMPTY; 2 * leaves - 1], leaves, edges };
@@ -65,7 +71,7 @@ impl EdgeTree {
             let bounds = &mut tree.boxes[leaves - 1 + leaf];
             let run = leaf * edges / leaves..(leaf + 1) * edges / leaves;
             if !run.is_empty() {
-                *bounds = (run.start..=run.end).fold(Bounds::EMPTY, |b, k| b.including(vertices[k % edges]));
+                *bounds = run.fold(Bounds::EMPTY, |b, k| b.including(vertices[k]).including(vertices[next(k)]));
             }
         }
         for k in (0..leaves - 1).rev() {

@@ -42,6 +42,16 @@ impl ClusterTree {
         tree
     }
 
+    /// The same for each component alone: one tree after another.
+    #[must_use]
+    pub fn of_components(discretisation: &Discretisation, leaf: usize) -> Self {
+        let mut trees = Self { clusters: Vec::new() };
+        for panels in &discretisation.components {
+            trees.grow(discretisation, panels.clone(), leaf);
+        }
+        trees
+    }
+
     fn grow(&mut self, discretisation: &Discretisation, panels: Range<usize>, leaf: usize) -> usize {
         let index = self.clusters.len();
         self.clusters.push(bounding_disk(discretisation, panels.clone()));

@@ -1,6 +1,8 @@
 //! A solved problem as an analytic function: B = L − G, in the closed region, for polygons.
 
 use super::correspondence::BoundaryCorrespondence;
+use super::local_series::LocalSeries;
+use super::panel::Boundary;
 use super::potential::LogPotential;
 use super::problem::Source;
 use super::system::System;
@@ -51,6 +53,27 @@ impl Field {
         (log - source, slope - source_slope)
     }
 
+    /// The scaled boundary.
+    #[must_use]
+    pub fn boundary(&self) -> &Arc<Boundary> {
+        &self.system.discretisation.boundary
+    }
+
+    /// The first vertex of each component, and ∫ σ over it.
+    pub fn charges(&self) -> impl Iterator<Item = (Complex64, f64)> + '_ {
+        let discretisation = &self.system.discretisation;
+        let components = discretisation.unknowns_of_components().zip(&discretisation.boundary.loops);
+        components.map(|(own, vertices)| {
+            (discretisation.boundary.vertices[vertices.start], self.potential.masses()[own].iter().sum())
+        })
+    }
+
+    /// L, ready to be expanded anywhere.
+    #[must_use]
+    pub fn series(&self) -> LocalSeries {
+        LocalSeries::signed(&self.system.discretisation, self.potential.masses(), &self.correspondence)
+    }
+
     /// (B, B') at a point of the region, given the edge nearest to it and the share of the edge before the nearest point.
     #[must_use]
     pub fn at(&self, z: Complex64, (edge, t): (usize, f64)) -> (Complex64, Complex64) {
@@ -96,9 +119,14 @@ impl Field {
     /// corners.
     #[must_use]
     pub fn on_edge(&self, edge: usize, t: f64) -> (Complex64, Complex64) {
+        let length = self.boundary().lengths[edge];
+        self.on_edge_between(edge, t * length, (1.0 - t) * length)
+    }
+
+    /// [`Field::on_edge`] at these distances (scaled units) from the ends of the edge.
+    #[must_use]
+    pub fn on_edge_between(&self, edge: usize, along: f64, rest: f64) -> (Complex64, Complex64) {
         let discretisation = &self.system.discretisation;
-        let length = discretisation.boundary.lengths[edge];
-        let (along, rest) = (t * length, (1.0 - t) * length);
         let (q, tau) = self.correspondence.place_on_edge(discretisation, edge, along, rest);
         let panel = &discretisation.panels[q];
         // dμ/ds along the boundary.

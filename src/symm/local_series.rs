@@ -2,7 +2,7 @@
 //!
 //! Far clusters of panels act through multipole expansions (as in [`super::fast_multipole`]), panels that are near through
 //! Gauss's rule on pieces short against their distance. The argument of z − y is continuous along the boundary and
-//! principal at vertex 0: the branch of [`LogPotential::at`](super::potential::LogPotential::at).
+//! principal at the first vertex of each component: the branch of [`LogPotential::at`](super::potential::LogPotential::at).
 
 use super::clusters::{Cluster, ClusterTree};
 use super::correspondence::BoundaryCorrespondence;
@@ -11,6 +11,7 @@ use super::legendre::{GaussRule, MAX_NODES, legendre};
 use super::multipole::shift_multipole;
 use super::series_sum::{MAX_TERMS, Piece, Sum, expansion_factors};
 use crate::plane::Complex64;
+use std::ops::Range;
 
 /// A cluster is far when its radius is at most this share of its distance from the disk of the series.
 const FAR: f64 = 0.4;
@@ -35,8 +36,8 @@ pub struct LocalSeries {
     far_union: f64,
     /// log of the accuracy wanted.
     log_accuracy: f64,
-    /// Vertex 0.
-    start: Complex64,
+    /// The first cluster of each component, and the component's first vertex.
+    starts: Vec<(usize, Complex64)>,
 }
 
 /// One panel, from its corner outwards.
@@ -64,22 +65,41 @@ impl LocalSeries {
     /// Prepares the potential of node masses, scaled to total mass 1, and of their correspondence.
     #[must_use]
     pub fn new(discretisation: &Discretisation, masses: &[f64], correspondence: &BoundaryCorrespondence) -> Self {
+        Self::with(discretisation, masses, correspondence, masses.iter().sum())
+    }
+
+    /// Of masses of any sign, as they are.
+    #[must_use]
+    pub fn signed(discretisation: &Discretisation, masses: &[f64], correspondence: &BoundaryCorrespondence) -> Self {
+        Self::with(discretisation, masses, correspondence, 1.0)
+    }
+
+    fn with(
+        discretisation: &Discretisation,
+        masses: &[f64],
+        correspondence: &BoundaryCorrespondence,
+        total: f64,
+    ) -> Self {
         let order = &discretisation.order;
         let digits = order.digits;
         let terms = (digits * std::f64::consts::LN_10 / -FAR.ln()).ceil() as usize + 2;
         let terms = terms.min(MAX_TERMS + 1);
-        let clusters = ClusterTree::new(discretisation, 1).clusters;
+        let clusters = ClusterTree::of_components(discretisation, 1).clusters;
+        let boundary = &discretisation.boundary;
+        let first = |panels: &Range<usize>| clusters.iter().position(|cluster| cluster.panels.start == panels.start);
+        let roots = discretisation.components.iter().filter_map(first);
+        let starts = roots.zip(&boundary.loops).map(|(root, own)| (root, boundary.vertices[own.start])).collect();
         let mut series = Self {
             skips: skips(&clusters),
             multipoles: vec![Complex64::ZERO; clusters.len() * terms],
             clusters,
             terms,
-            panels: panel_sources(discretisation, masses, correspondence),
+            panels: panel_sources(discretisation, masses, correspondence, total),
             gauss: order.piece.clone(),
             factors: expansion_factors(),
             far_union: 10f64.powf(-digits / order.piece.len() as f64).min(FAR_PIECE),
             log_accuracy: -digits * std::f64::consts::LN_10,
-            start: discretisation.boundary.vertices[0],
+            starts,
         };
         series.gather_multipoles();
         series
@@ -97,10 +117,13 @@ impl LocalSeries {
     /// region; of one that crosses the boundary they mean nothing.
     pub fn expand(&self, center: Complex64, radius: f64, coefficients: &mut [Complex64]) {
         coefficients.fill(Complex64::ZERO);
-        let argument = (center - self.start).arg();
-        let mut sum = Sum { center, radius, coefficients, argument };
+        let mut sum = Sum { center, radius, coefficients, argument: 0.0 };
+        let mut starts = self.starts.iter().peekable();
         let mut at = 0;
         while at < self.clusters.len() {
+            if let Some((_, start)) = starts.next_if(|(root, _)| *root == at) {
+                sum.argument = (center - start).arg();
+            }
             let cluster = &self.clusters[at];
             let leaf = cluster.children.is_none();
             let room = (center - cluster.center).norm_sqr().sqrt() - radius;
@@ -251,9 +274,9 @@ fn panel_sources(
     discretisation: &Discretisation,
     masses: &[f64],
     correspondence: &BoundaryCorrespondence,
+    total: f64,
 ) -> Vec<PanelSource> {
     let p = discretisation.order.p();
-    let total: f64 = masses.iter().sum();
     let source = |(q, masses): (usize, &[f64])| {
         let panel = &discretisation.panels[q];
         let rule = &discretisation.rules[q];

@@ -36,6 +36,19 @@ impl SolveOptions {
 /// Told the stage and the fraction done of a long computation; returns false to cancel it.
 pub type Progress<'a> = &'a mut dyn FnMut(&'static str, f64) -> bool;
 
+/// What `build` makes, unless `progress` cancels.
+///
+/// # Errors
+/// [`Error::Cancelled`].
+pub(crate) fn unless_cancelled<T>(progress: Progress, build: impl FnOnce(Progress) -> T) -> Result<T> {
+    let mut cancelled = false;
+    let built = build(&mut |stage, fraction| {
+        cancelled = cancelled || !progress(stage, fraction);
+        !cancelled
+    });
+    if cancelled { Err(Error::Cancelled) } else { Ok(built) }
+}
+
 /// Why a solve ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(target_arch = "wasm32", derive(serde::Serialize, tsify::Tsify), serde(rename_all = "kebab-case"))]

@@ -29,6 +29,12 @@ impl LogPotential {
         Self { masses, charges: OnceLock::new() }
     }
 
+    /// The node masses.
+    #[must_use]
+    pub fn masses(&self) -> &[f64] {
+        &self.masses
+    }
+
     fn charges(&self, discretisation: &Discretisation) -> &[Vec<f64>] {
         self.charges.get_or_init(|| {
             let panels = self.masses.chunks_exact(discretisation.order.p());

@@ -76,6 +76,17 @@ impl Source {
         }
     }
 
+    /// The sum of this and a multiple of another. Only of streams is it more than one of the two.
+    #[must_use]
+    pub fn and(self, other: Self, weight: f64) -> Self {
+        match (self, other) {
+            (sum, Self::Nothing) => sum,
+            (Self::Nothing, Self::Stream(factor)) => Self::Stream(factor * weight),
+            (Self::Stream(sum), Self::Stream(factor)) => Self::Stream(sum + factor * weight),
+            (_, other) => other,
+        }
+    }
+
     /// Where in the region G is singular.
     #[must_use]
     pub fn singularities(&self) -> Vec<Complex64> {
@@ -83,6 +94,15 @@ impl Source {
             Self::Nothing | Self::Stream(_) => Vec::new(),
             Self::Log(a) | Self::Pole(a, _) => vec![a],
             Self::Vortices(a, b) => vec![a, b],
+        }
+    }
+
+    /// What G is a logarithm of: the point and the factor.
+    #[must_use]
+    pub fn logarithm(&self) -> Option<(Complex64, f64)> {
+        match *self {
+            Self::Log(a) => Some((a, 1.0)),
+            _ => None,
         }
     }
 

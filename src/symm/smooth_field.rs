@@ -131,23 +131,41 @@ impl SmoothField {
         })
     }
 
-    /// The holes' charges that are not 0, with a point in each.
-    fn charged_holes(&self) -> impl Iterator<Item = (f64, Complex64)> + '_ {
+    /// The holes' charges that are not 0, with a point in each, from which the cut of B's branch runs to the left.
+    pub fn charged_holes(&self) -> impl Iterator<Item = (f64, Complex64)> + '_ {
         let all = self.charges.iter().copied().zip(self.inner_points.iter().copied());
         all.skip(usize::from(self.bounded)).filter(|(charge, _)| *charge != 0.0)
+    }
+
+    /// Writes the coefficients of tᵏ of L at `center` + `radius`·t; the disk lies in the region, and its middle not within
+    /// twice the radius of the boundary.
+    pub fn expand(&self, center: Complex64, radius: f64, coefficients: &mut [Complex64]) {
+        const SAMPLES: usize = 64;
+        let turn = |j: usize| Complex64::from_polar(radius, TAU * j as f64 / SAMPLES as f64);
+        let samples: Vec<Complex64> = (0..SAMPLES).map(|j| self.single_valued(center + turn(j)).0).collect();
+        let spectrum = transform(&samples);
+        coefficients.iter_mut().zip(spectrum).for_each(|(c, wave)| *c = wave / SAMPLES as f64);
+        for (charge, p) in self.charged_holes() {
+            let share = -radius / (center - p);
+            coefficients[0] += (center - p).ln() * charge;
+            let mut power = Complex64::ONE;
+            for (k, c) in coefficients.iter_mut().enumerate().skip(1) {
+                power *= share;
+                *c -= power * (charge / k as f64);
+            }
+        }
+    }
+
+    /// L' at a point of the region.
+    #[must_use]
+    pub fn log_slope(&self, z: Complex64) -> Complex64 {
+        self.at(z).1 + self.source.at(z).1
     }
 
     /// (B, B') at a point of the region.
     #[must_use]
     pub fn at(&self, z: Complex64) -> (Complex64, Complex64) {
-        let (mut above, mut below) = (Complex64::ZERO, if self.bounded { 0.0.into() } else { Complex64::ONE });
-        for (i, weight) in self.weights() {
-            let apart = self.system.nodes[i] - z;
-            let weight = weight / apart;
-            above += self.values[i] * weight;
-            below += weight;
-        }
-        let mut value = above / below;
+        let (mut value, below) = self.single_valued(z);
         let mut slope = Complex64::ZERO;
         for (i, weight) in self.weights() {
             let apart = self.system.nodes[i] - z;
@@ -160,6 +178,18 @@ impl SmoothField {
         }
         let (source, source_slope) = self.source.at(z);
         (value - source, slope - source_slope)
+    }
+
+    /// H at a point of the region by the barycentric form of Cauchy's formula, and what it was divided by.
+    fn single_valued(&self, z: Complex64) -> (Complex64, Complex64) {
+        let (mut above, mut below) = (Complex64::ZERO, if self.bounded { 0.0.into() } else { Complex64::ONE });
+        for (i, weight) in self.weights() {
+            let apart = self.system.nodes[i] - z;
+            let weight = weight / apart;
+            above += self.values[i] * weight;
+            below += weight;
+        }
+        (above / below, below)
     }
 
     /// B at the point t of a curve.

@@ -2,12 +2,14 @@
 
 use super::canonical::joinable;
 use super::error::Failure;
+use super::level_lines::LevelLines;
 use super::points;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
-use super::solved::solved_methods;
+use super::solved::{prepare_method, solved_methods};
 use super::warp;
 use crate::map::PlaneMap;
+use crate::riemann::RingLines;
 use crate::warp::Direction;
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -47,6 +49,23 @@ impl AnnulusMap {
         Ok(points::mapped(points, |points| self.1.derivative(points))?)
     }
 
+    /// Lines of the region that go to "circles" of the ring, with the radii `levels`, or to its "rays", with these angles.
+    ///
+    /// Throws "invalid-option".
+    #[wasm_bindgen(js_name = levelLines)]
+    pub fn level_lines(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "\"circles\" | \"rays\"")] what: &str,
+        levels: &[f64],
+    ) -> Result<LevelLines, Failure> {
+        let what = match what {
+            "circles" => RingLines::Circles,
+            "rays" => RingLines::Rays,
+            _ => return Err(Failure::option("what", "what must be \"circles\" or \"rays\".")),
+        };
+        Ok(self.1.level_lines(what, levels).into())
+    }
+
     /// The radius of the ring's inner circle.
     #[wasm_bindgen(getter, js_name = innerRadius)]
     pub fn inner_radius(&self) -> f64 {
@@ -66,6 +85,7 @@ impl AnnulusMap {
     }
 }
 
+prepare_method! { AnnulusMap, 1 }
 joinable!(AnnulusMap, 1);
 
 solved_methods! {

@@ -1,7 +1,8 @@
 //! `Electrostatics` in JavaScript.
 
 use super::error::Failure;
-use super::options;
+use super::level_lines::{self, LevelLines};
+use super::options::{self, FrameOptions};
 use super::points;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
@@ -86,6 +87,27 @@ impl Electrostatics {
     /// The potential at points `[x0, y0, x1, y1, …]`; NaN inside conductors.
     pub fn potential(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         Ok(self.0.potential(&points::from_flat("The points", points)?))
+    }
+
+    /// Lines of equal potential in a frame, traced by the field itself. A closed line smaller than 1/72 of the frame may be missed.
+    ///
+    /// Throws "invalid-option" or "invalid-frame".
+    #[wasm_bindgen(js_name = levelLines)]
+    pub fn level_lines(&self, levels: &[f64], frame: Ts<FrameOptions>) -> Result<LevelLines, Failure> {
+        Ok(self.0.level_lines(levels, level_lines::window(&frame)?).into())
+    }
+
+    /// Lines of force in a frame: `count` leave the conductor with the largest charge, and from every other with a positive one
+    /// as many as it has of it. The value of each is the number of the conductor that it leaves.
+    ///
+    /// Throws "invalid-option" or "invalid-frame".
+    #[wasm_bindgen(js_name = forceLines)]
+    pub fn force_lines(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Count")] count: usize,
+        frame: Ts<FrameOptions>,
+    ) -> Result<LevelLines, Failure> {
+        Ok(self.0.force_lines(count, level_lines::window(&frame)?).into())
     }
 
     /// The electric field `[Ex, Ey, …]` at points; NaN inside conductors.

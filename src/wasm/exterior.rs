@@ -6,7 +6,7 @@ use super::options::{self, Point};
 use super::points;
 use super::region::directed;
 use super::riemann::{RiemannOptions, solve_options};
-use super::solved::solved_methods;
+use super::solved::{prepare_method, solved_methods};
 use super::warp;
 use crate::map::PlaneMap;
 use crate::plane::{Curve, Domain};
@@ -75,6 +75,7 @@ impl ExteriorMap {
     }
 }
 
+prepare_method! { ExteriorMap, 1 }
 joinable!(ExteriorMap, 1);
 
 solved_methods! {

@@ -1,12 +1,13 @@
 //! `PotentialFlow` in JavaScript.
 
 use super::error::Failure;
-use super::options;
+use super::level_lines::{self, LevelLines};
+use super::options::{self, FrameOptions};
 use super::points;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::solved_methods;
-use crate::riemann::Circulation;
+use crate::riemann::{Circulation, FlowLines};
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -40,6 +41,30 @@ pub enum CirculationOption {
     Named(String),
 }
 
+/// What flow is asked for.
+struct Given {
+    speed: f64,
+    angle: f64,
+    circulation: Circulation,
+}
+
+impl Given {
+    fn read(flow: Option<&Ts<FlowOptions>>, bodies: usize) -> Result<Self, Failure> {
+        let FlowOptions { speed, angle, circulation, trailing } = options::read_or_default(flow)?;
+        let circulation = match circulation {
+            None => Circulation::Given(vec![0.0; bodies]),
+            Some(CirculationOption::Given(given)) => Circulation::Given(given),
+            Some(CirculationOption::Named(name)) if name == "kutta" => {
+                Circulation::Kutta { trailing: trailing.unwrap_or_else(|| vec![0; bodies]) }
+            }
+            Some(CirculationOption::Named(_)) => {
+                return Err(Failure::option("circulation", "circulation must be an array of numbers or \"kutta\"."));
+            }
+        };
+        Ok(Self { speed: speed.unwrap_or(1.0), angle: angle.unwrap_or(0.0), circulation })
+    }
+}
+
 /// The plane flow of an ideal fluid past one or more bodies.
 #[derive(Debug)]
 #[wasm_bindgen]
@@ -56,30 +81,54 @@ impl PotentialFlow {
         flow: Option<Ts<FlowOptions>>,
         options: Option<Ts<RiemannOptions>>,
     ) -> Result<Self, Failure> {
-        let FlowOptions { speed, angle, circulation, trailing } = options::read_or_default(flow.as_ref())?;
         let domain = region.domain();
-        let bodies = domain.holes().len();
-        let circulation = match circulation {
-            None => Circulation::Given(vec![0.0; bodies]),
-            Some(CirculationOption::Given(given)) => Circulation::Given(given),
-            Some(CirculationOption::Named(name)) if name == "kutta" => {
-                Circulation::Kutta { trailing: trailing.unwrap_or_else(|| vec![0; bodies]) }
-            }
-            Some(CirculationOption::Named(_)) => {
-                return Err(Failure::option("circulation", "circulation must be an array of numbers or \"kutta\"."));
-            }
-        };
+        let given = Given::read(flow.as_ref(), domain.holes().len())?;
         let (options, mut progress) = solve_options(options.as_ref())?;
-        let (speed, angle) = (speed.unwrap_or(1.0), angle.unwrap_or(0.0));
         let solved = crate::riemann::PotentialFlow::past(
             &domain,
-            speed,
-            angle,
-            &circulation,
+            given.speed,
+            given.angle,
+            &given.circulation,
             &options,
             &mut |stage, fraction| progress.report(stage, fraction),
         );
         progress.finish(solved).map(Self)
+    }
+
+    /// Another wind, and another turning, past the same bodies: nothing is solved again.
+    ///
+    /// Throws "wrong-length" or "invalid-option".
+    pub fn again(&self, flow: Option<Ts<FlowOptions>>) -> Result<Self, Failure> {
+        let given = Given::read(flow.as_ref(), self.0.circulation().len())?;
+        Ok(Self(self.0.again(given.speed, given.angle, &given.circulation)?))
+    }
+
+    /// Lines of the flow in a frame, traced by the flow itself: "streamlines", on which ψ has the given values, or
+    /// "potentials", on which φ has. Streamlines with the value of a body or of another stagnation point part and join there
+    /// exactly. A closed line smaller than 1/72 of the frame may be missed.
+    ///
+    /// Throws "invalid-option" or "invalid-frame".
+    #[wasm_bindgen(js_name = levelLines)]
+    pub fn level_lines(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "\"streamlines\" | \"potentials\"")] what: &str,
+        levels: &[f64],
+        frame: Ts<FrameOptions>,
+    ) -> Result<LevelLines, Failure> {
+        let what = match what {
+            "streamlines" => FlowLines::Streamlines,
+            "potentials" => FlowLines::Potentials,
+            _ => return Err(Failure::option("what", "what must be \"streamlines\" or \"potentials\".")),
+        };
+        Ok(self.0.level_lines(what, levels, level_lines::window(&frame)?).into())
+    }
+
+    /// The points off the bodies in a frame where the fluid rests.
+    ///
+    /// Throws "invalid-option" or "invalid-frame".
+    #[wasm_bindgen(js_name = freeStagnationPoints)]
+    pub fn free_stagnation_points(&self, frame: Ts<FrameOptions>) -> Result<Vec<f64>, Failure> {
+        Ok(points::to_flat(&self.0.free_stagnation_points(level_lines::window(&frame)?)))
     }
 
     /// The circulation around each body, counter-clockwise.

@@ -4,12 +4,14 @@
 //! What the classes share: [`error`] (an error → `Error` with a `code`), [`options`] (plain objects → Rust structs,
 //! with errors in words), [`points`] (`Float64Array` ↔ complex numbers), [`progress`] (the caller's `onProgress`),
 //! [`memory`] (room made at once), [`warp`] (the methods `warp` and `paint`), [`prepared`] (the method `prepareWarp`),
-//! [`overlay`] (the method `overlay`).
+//! [`overlay`] (the method `overlay`), [`level_lines`] (lines of maps, fields and flows).
 
 #[cfg(feature = "regions")]
 pub mod annulus;
 #[cfg(feature = "regions")]
 pub mod canonical;
+#[cfg(feature = "regions")]
+pub mod circles;
 #[cfg(feature = "regions")]
 pub mod cortex;
 #[cfg(feature = "regions")]
@@ -24,6 +26,8 @@ pub mod foveated;
 pub mod frame;
 #[cfg(feature = "regions")]
 pub mod half_plane;
+#[cfg(feature = "regions")]
+pub mod level_lines;
 pub mod memory;
 #[cfg(feature = "regions")]
 pub mod mesh;

@@ -5,7 +5,7 @@ use super::options::{self, Point};
 use super::points;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
-use super::solved::solved_methods;
+use super::solved::{prepare_method, solved_methods};
 use super::warp;
 use crate::map::PlaneMap;
 use crate::riemann::SlitKind;
@@ -98,6 +98,8 @@ impl SlitMap {
         self.1.slits().iter().flat_map(|slit| points::to_flat(&slit.ends)).collect()
     }
 }
+
+prepare_method! { SlitMap, 1 }
 
 solved_methods! {
     SlitMap, 1,

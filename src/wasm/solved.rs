@@ -32,3 +32,29 @@ macro_rules! solved_methods {
     };
 }
 pub(super) use solved_methods;
+
+/// Gives a class whose field `$field` is a map the method `prepare`.
+macro_rules! prepare_method {
+    ($class:ident, $field:tt) => {
+        #[wasm_bindgen::prelude::wasm_bindgen]
+        impl $class {
+            /// Builds what makes evaluation fast now, both ways, instead of at its first use. `onProgress` is told the stage and
+            /// the fraction of it that is done; `false` cancels.
+            ///
+            /// Throws "cancelled", and what `onProgress` throws. What was built by then is kept.
+            pub fn prepare(
+                &self,
+                #[wasm_bindgen(
+                            js_name = onProgress,
+                            unchecked_optional_param_type = "(stage: string, fraction: number) => boolean | void"
+                        )]
+                on_progress: Option<js_sys::Function>,
+            ) -> Result<(), $crate::wasm::error::Failure> {
+                let mut progress = $crate::wasm::progress::Progress::new(on_progress);
+                let prepared = self.$field.prepare(&mut |stage, fraction| progress.report(stage, fraction));
+                progress.finish(prepared)
+            }
+        }
+    };
+}
+pub(super) use prepare_method;

@@ -86,6 +86,39 @@ test("a drag turns the wind, specks move, and every body of the list is drawn", 
   await close();
 });
 
+test("a body of 60 vertices is dragged through the wind, and traced when it keeps still", async (context) => {
+  const outline = Array.from({ length: 60 }, (_, k) => {
+    const [t, r] = [(Math.PI * k) / 30, 0.8 * (1 + 0.15 * Math.sin((3 * Math.PI * k) / 30))];
+    return `${(r * Math.cos(t)).toFixed(3)},${(0.6 * r * Math.sin(t)).toFixed(3)}`;
+  });
+  const { page, errors, close } = await openPage(session, `flow.html#outline=${outline.join(";")}&circulation=0&show=pressure,lines`);
+  const start = await at(page, 0.1, 0.8);
+  await page.mouse.move(start.x, start.y);
+  await page.mouse.down();
+  // One move a frame; what the page does with it happens before the next.
+  const rate = await page.locator("#flow").evaluate(async (canvas, { x, y }) => {
+    const nextFrame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+    const moves = 60;
+    await nextFrame();
+    const begin = performance.now();
+    for (let k = 0; k < moves; k++) {
+      canvas.dispatchEvent(new PointerEvent("pointermove", { pointerId: 1, clientX: x + k, clientY: y, bubbles: true }));
+      await nextFrame();
+    }
+    return (1000 * moves) / (performance.now() - begin);
+  }, start);
+  await page.mouse.up();
+  context.diagnostic(`dragging 60 vertices through the wind: ${rate.toFixed(0)} frames a second`);
+  assert.ok(rate > 0, "it is drawn");
+  const rough = await picture(page);
+  await page.locator("#angle").fill("3");
+  await page.waitForTimeout(1500);
+  assert.notEqual(await picture(page), rough);
+  await screenshot(page, "flow-traced");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("an airfoil comes from a file, and a body from a stroke; one that crosses itself is refused in words", async () => {
   const { page, errors, close } = await openPage(session, "flow.html");
   const columns = naca("2415", 1, [0, 0]).map(([x, y]) => `${x.toFixed(5)} ${y.toFixed(5)}`);

@@ -21,10 +21,13 @@ impl Accuracy {
     /// The accuracy of the expansions of a solution.
     #[must_use]
     pub fn of(solution: &Solution) -> Self {
-        Self {
-            tolerance: (SHARE_OF_ERROR * solution.error_estimate).clamp(1e-13, LARGEST_ERROR),
-            solve_error: solution.error_estimate,
-        }
+        Self::beside(solution.error_estimate)
+    }
+
+    /// The accuracy of expansions of what was solved for with some error.
+    #[must_use]
+    pub fn beside(solve_error: f64) -> Self {
+        Self { tolerance: (SHARE_OF_ERROR * solve_error).clamp(1e-13, LARGEST_ERROR), solve_error }
     }
 
     /// Decimal digits of the tolerance.

@@ -25,7 +25,7 @@ pub struct Chart {
 impl Chart {
     fn new(measure: Measure, series: LocalSeries, walls: &Walls) -> Self {
         let boundary = &measure.discretisation.boundary;
-        let zones = Zones::new(boundary, walls, measure.center, |zone| measure.on_edge(zone.on_edge(boundary, 0.0)));
+        let zones = Zones::new(boundary, walls, &[measure.center], |zone| measure.on_edge(zone.on_edge(boundary, 0.0)));
         Self { series, zones, measure }
     }
 

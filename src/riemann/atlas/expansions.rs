@@ -9,10 +9,10 @@ use super::inverse_cell::{Inverter, Pair};
 use super::patch::Patch;
 use super::position::Position;
 use super::region_side::{Found, RegionSide};
+use crate::Result;
 use crate::plane::Complex64;
-use crate::symm::options::{Progress, SolveOptions};
+use crate::symm::options::{Progress, SolveOptions, unless_cancelled};
 use crate::symm::solution::Solution;
-use crate::{Error, Result};
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -121,7 +121,7 @@ impl Expansions {
     /// [`Expansions::new`], unless `progress` cancels: then nothing is left of it.
     ///
     /// # Errors
-    /// [`Error::Cancelled`].
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn reporting(solution: &Solution, thickness: f64, options: &SolveOptions, progress: Progress) -> Result<Self> {
         unless_cancelled(progress, |progress| Self::build(solution, thickness, options, progress))
     }
@@ -152,7 +152,7 @@ impl Expansions {
     /// Builds everything, for all charts.
     ///
     /// # Errors
-    /// [`Error::Cancelled`].
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn prepare(&self, progress: Progress) -> Result<()> {
         self.near.prepare(progress)?;
         if self.near.region.is_whole() {
@@ -298,16 +298,6 @@ impl Expansions {
     pub fn bytes(&self) -> usize {
         self.near.bytes() + self.far.get().map_or(0, |far| far.bytes() - self.near.shared_bytes())
     }
-}
-
-/// What `build` makes, unless `progress` cancels.
-fn unless_cancelled<T>(progress: Progress, build: impl FnOnce(Progress) -> T) -> Result<T> {
-    let mut cancelled = false;
-    let built = build(&mut |stage, fraction| {
-        cancelled = cancelled || !progress(stage, fraction);
-        !cancelled
-    });
-    if cancelled { Err(Error::Cancelled) } else { Ok(built) }
 }
 
 impl fmt::Debug for Expansions {

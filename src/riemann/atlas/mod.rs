@@ -17,31 +17,32 @@
 //! - [`walls`] measures distances to the boundary, [`zone`] divides what lies beside it;
 //! - [`charts`] maps the region for several centers, with a [`link`] between any two and the [`position`] of each;
 //! - [`region_side`] goes region → disk: a [`quadtree`] whose [`leaf`] is one of its [`cells`] or one of its [`patches`]
-//!   (each a [`patch`]), as [`region_builder`] decides;
+//!   (each a [`patch`], from an [`arc_sampler`]), as [`region_builder`] decides;
 //! - [`disk_side`] goes disk → region: [`disk_builder`] cuts a chart's disk into the cells of [`inverse_cell`];
 //! - [`expansions`] is all of it for one region, its points are [`disk_point`]s; [`passage`] goes on to another region.
 
-mod accuracy;
-mod cells;
+pub(super) mod accuracy;
+pub(super) mod arc_sampler;
+pub(super) mod cells;
 mod charts;
 mod disk_builder;
 mod disk_point;
 mod disk_side;
 mod expansions;
-mod fit;
+pub(super) mod fit;
 mod inverse_cell;
-mod leaf;
+pub(super) mod leaf;
 mod link;
 mod passage;
 mod patch;
 mod patches;
 mod position;
-mod power_series;
-mod quadtree;
+pub(super) mod power_series;
+pub(super) mod quadtree;
 mod region_builder;
 mod region_side;
-mod walls;
-mod zone;
+pub(super) mod walls;
+pub(super) mod zone;
 
 pub use disk_point::DiskPoint;
 pub use expansions::Expansions;

@@ -1,12 +1,13 @@
 //! The map beside the boundary: one real power series in the variable of a zone.
 
+use super::arc_sampler::ArcSampler;
 use super::charts::Chart;
 use super::fit::Fit;
-use super::power_series::{MAX_COEFFICIENTS, real_value, real_value_and_slope, revert, value};
-use super::zone::{Place, SHARE, Zone};
+use super::power_series::{real_value, real_value_and_slope, revert, value};
+use super::zone::{Place, Zone};
 use crate::plane::Complex64;
 use crate::symm::panel::Boundary;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// log f = i(θ₀ + Σ cₖ τᵏ) in a zone. As the coefficients are real, the boundary goes to the circle exactly (Schwarz's
 /// reflection), and points beside it keep the relative accuracy of their distances.
@@ -27,8 +28,6 @@ pub struct Patch {
 
 /// The image of the zone is no farther from its middle than this times what samples on the arc are.
 const SLACK: f64 = 1.1;
-/// Coefficients of the series that sample the map on the arc.
-const TERMS: usize = 24;
 
 impl Patch {
     /// Fits the map of a chart, the boundary correspondence on the diameter and the potential on the arc.
@@ -42,12 +41,13 @@ impl Patch {
         let on_diameter: Vec<f64> = fit.diameter.iter().map(turned).collect();
         let theta = TAU * start;
         let mut previous = turned(&1.0);
-        let mut sampler = Sampler::new(chart, fit.accuracy);
+        let expand = |center, radius, coefficients: &mut [Complex64]| chart.expand(center, radius, coefficients);
+        let mut sampler = ArcSampler::new(&expand, fit.accuracy);
         let on_arc: Vec<Complex64> = fit
             .arc
             .iter()
             .map(|&tau| {
-                let w = sampler.at(&zone, tau);
+                let (w, _) = sampler.at(&zone, tau);
                 let turn = w.arg() - theta - previous;
                 previous += turn - TAU * (turn / TAU).round();
                 Complex64::new(previous, -0.5 * w.norm_sqr().ln())
@@ -249,66 +249,3 @@ const STARTS: [Complex64; 5] = [
     Complex64::new(0.6, 0.7),
     Complex64::new(-0.6, 0.7),
 ];
-
-/// The map along the arc of a zone, from as few power series as serve.
-struct Sampler<'a> {
-    chart: &'a Chart,
-    center: Complex64,
-    /// The series is in (z − center)/unit,
-    unit: f64,
-    /// and good this far from the center.
-    reach: f64,
-    /// Share of the distance to a singularity in which a series is accurate.
-    share: f64,
-    coefficients: [Complex64; TERMS],
-}
-
-const _: () = assert!(TERMS <= MAX_COEFFICIENTS);
-
-/// Centers of series have one of these |τ|: far from the walls, far from a corner.
-const DEPTHS: [f64; 3] = [0.7, 0.85, 1.0];
-/// Angles by which a center may lie ahead of the first point that its series serves.
-const AHEAD: [f64; 5] = [0.6, 0.45, 0.3, 0.15, 0.0];
-/// Series continue the map beyond the walls, as far from the center as this times the distance to the wall; by then terms are
-/// larger than they are at the wall by a factor that rounding can bear.
-const BEYOND_WALL: f64 = 1.15;
-/// Sources are summed for a disk of this share of the distance to the wall.
-const SHARE_OF_SUM: f64 = 0.6;
-
-impl<'a> Sampler<'a> {
-    fn new(chart: &'a Chart, accuracy: f64) -> Self {
-        let share = accuracy.powf(1.0 / TERMS as f64);
-        Self { chart, center: Complex64::ZERO, unit: 1.0, reach: 0.0, share, coefficients: [Complex64::ZERO; TERMS] }
-    }
-
-    fn at(&mut self, zone: &Zone, tau: Complex64) -> Complex64 {
-        let z = zone.point(tau);
-        if (z - self.center).norm() > self.reach {
-            let turns = AHEAD.into_iter().flat_map(|angle| DEPTHS.map(|depth| Complex64::from_polar(depth, angle)));
-            let centers = turns.map(|turn| tau * turn).filter(|tau| tau.im > 0.0);
-            let mut series = centers.map(|tau| (zone.point(tau), self.reach_around(zone, tau)));
-            let serves = |(center, reach): &(Complex64, f64)| (z - center).norm() <= *reach;
-            (self.center, self.reach) = series.find(serves).unwrap_or((z, self.reach_around(zone, tau)));
-            let Place::At(tau) = zone.place(self.center) else { return Complex64::new(f64::NAN, f64::NAN) };
-            self.unit = SHARE_OF_SUM * wall_distance(zone, tau);
-            self.chart.expand(self.center, self.unit, &mut self.coefficients);
-        }
-        value(&self.coefficients, (z - self.center) / self.unit)
-    }
-
-    /// How far a series around the point at τ is accurate.
-    fn reach_around(&self, zone: &Zone, tau: Complex64) -> f64 {
-        let from = (zone.point(tau) - zone.origin).norm();
-        let beyond = zone.reach / SHARE.powf(zone.alpha) - from;
-        let singular = if zone.alpha == 1.0 { beyond } else { beyond.min(from) };
-        (self.share * singular).min(BEYOND_WALL * wall_distance(zone, tau))
-    }
-}
-
-/// Distance of the point at τ from the walls, those beyond the zone included.
-fn wall_distance(zone: &Zone, tau: Complex64) -> f64 {
-    let from = (zone.point(tau) - zone.origin).norm();
-    // From the nearer wall of the sector.
-    let angle = (tau.arg().min(PI - tau.arg()) * zone.alpha).min(0.5 * PI);
-    (from * angle.sin()).min(zone.reach / SHARE.powf(zone.alpha) - from)
-}

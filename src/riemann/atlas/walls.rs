@@ -31,7 +31,7 @@ impl Walls {
     pub fn new(boundary: &Arc<Boundary>, thickness: f64) -> Self {
         let regular = |alpha: &f64| (1.0 / alpha - (1.0 / alpha).round()).abs() < 1e-9;
         let singular = boundary.alpha.iter().map(|alpha| !regular(alpha)).collect();
-        let tree = Arc::new(EdgeTree::new(&boundary.vertices));
+        let tree = Arc::new(EdgeTree::joined(&boundary.vertices, |k| boundary.next(k)));
         Self { boundary: Arc::clone(boundary), tree, thickness, singular }
     }
 

@@ -103,23 +103,30 @@ impl Zone {
             return Complex64::new(if self.alpha < 1.0 { 0.0 } else { f64::INFINITY }, 0.0);
         }
         // dz/dτ = α (z − origin)/τ.
-        tau / ((self.point(tau) - self.origin) * self.alpha)
+        tau / (self.offset(tau) * self.alpha)
     }
 
     /// τ → z.
     #[inline]
     #[must_use]
     pub fn point(&self, tau: Complex64) -> Complex64 {
+        self.origin + self.offset(tau)
+    }
+
+    /// τ → z − origin.
+    #[inline]
+    #[must_use]
+    pub fn offset(&self, tau: Complex64) -> Complex64 {
         if self.alpha == 1.0 {
-            return self.origin + self.direction * tau * self.reach;
+            return self.direction * tau * self.reach;
         }
         if tau.im == 0.0 {
             let along = if tau.re >= 0.0 { self.direction } else { -self.arriving };
-            return self.origin + along * (self.reach * tau.re.abs().powf(self.alpha));
+            return along * (self.reach * tau.re.abs().powf(self.alpha));
         }
         let size = (0.5 * self.alpha * tau.norm_sqr().ln()).exp() * self.reach;
         let angle = (Complex64::new(tau.im, -tau.re)).arg() * self.alpha;
-        self.origin + self.inward * Complex64::from_polar(size, angle)
+        self.inward * Complex64::from_polar(size, angle)
     }
 
     /// The edges that bound it.
@@ -160,15 +167,15 @@ pub struct Zones {
 
 impl Zones {
     /// Zones that cover the boundary. In the sector that the region has there, nothing comes nearer than `reach`/SHARE^α
-    /// to a zone's origin: no vertex, no other wall, not the center, where log f is singular. `measure` tells the measure at
-    /// the middle of a zone.
+    /// to a zone's origin: no vertex, no other wall, none of the points where log f is `singular`, as at the center. `measure`
+    /// tells the measure at the middle of a zone.
     #[must_use]
-    pub fn new(boundary: &Boundary, walls: &Walls, center: Complex64, measure: impl Fn(&Zone) -> f64) -> Self {
+    pub fn new(boundary: &Boundary, walls: &Walls, singular: &[Complex64], measure: impl Fn(&Zone) -> f64) -> Self {
         let n = boundary.len();
         let corners: Vec<Zone> = (0..n)
             .map(|k| {
-                let room = walls.room(k, 0.0).min((center - boundary.vertices[k]).norm());
-                Zone::new(boundary, k, 0.0, room)
+                let room = walls.room(k, 0.0);
+                Zone::new(boundary, k, 0.0, clear_of(singular, boundary.vertices[k], room))
             })
             .collect();
         let mut list = Vec::with_capacity(4 * n);
@@ -178,7 +185,7 @@ impl Zones {
             let length = boundary.lengths[edge];
             let begin = OVERLAP * corners[edge].reach;
             let end = length - OVERLAP * corners[boundary.next(edge)].reach;
-            fill_edge(boundary, walls, center, edge, begin, end, &mut list);
+            fill_edge(boundary, walls, singular, edge, begin, end, &mut list);
             starts.push(list.len());
         }
         let measures = list.iter().map(measure).collect();
@@ -205,11 +212,16 @@ impl Zones {
     }
 }
 
+/// The room, or the distance to a singular point if that is less.
+fn clear_of(singular: &[Complex64], origin: Complex64, room: f64) -> f64 {
+    singular.iter().map(|a| (a - origin).norm()).fold(room, f64::min)
+}
+
 /// Adds zones for the part of an edge from `begin` to `end`: one, or those of its halves.
 fn fill_edge(
     boundary: &Boundary,
     walls: &Walls,
-    center: Complex64,
+    singular: &[Complex64],
     edge: usize,
     begin: f64,
     end: f64,
@@ -221,12 +233,12 @@ fn fill_edge(
     let middle = 0.5 * (begin + end);
     let length = boundary.lengths[edge];
     let origin = boundary.vertices[edge] + boundary.directions[edge] * middle;
-    let room = walls.room(edge, middle).min((center - origin).norm());
-    let zone = Zone::new(boundary, edge, middle, room);
+    let room = walls.room(edge, middle);
+    let zone = Zone::new(boundary, edge, middle, clear_of(singular, origin, room));
     if 0.5 * (end - begin) <= OVERLAP * zone.reach || end - begin < SMALLEST * length {
         list.push(zone);
     } else {
-        fill_edge(boundary, walls, center, edge, begin, middle, list);
-        fill_edge(boundary, walls, center, edge, middle, end, list);
+        fill_edge(boundary, walls, singular, edge, begin, middle, list);
+        fill_edge(boundary, walls, singular, edge, middle, end, list);
     }
 }

@@ -1,7 +1,8 @@
 //! The map of a region with one hole onto a ring.
 
 use super::super::evidence::{Evidence, evidence_methods};
-use super::canonical::{Canonical, Form, places, two_ways};
+use super::canonical::{Canonical, Form, places, prepared, two_ways};
+use super::level_lines::{LevelLine, polyline};
 use super::solved::Solved;
 use crate::plane::{Complex64, Domain};
 use crate::symm::options::{Progress, SolveOptions};
@@ -30,6 +31,15 @@ pub struct AnnulusMap {
     evidence: Evidence,
 }
 
+/// Lines of a ring.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RingLines {
+    /// |w| is constant.
+    Circles,
+    /// arg w is constant, in radians.
+    Rays,
+}
+
 impl AnnulusMap {
     /// Solves for the map. Without a `toward` the first boundary point goes to 1.
     ///
@@ -50,7 +60,11 @@ impl AnnulusMap {
         let toward = domain.toward().unwrap_or(boundary[0]);
         let angle = field.on_boundary(domain.nearest(toward)).0.im;
         let form = Form { factor: Complex64::ONE, shift: Complex64::new(outer, -angle), exponential: true, zero: None };
-        Ok(Self { map: Canonical::new(field, form), log_inner_radius: outer - inner, evidence: solved.evidence })
+        Ok(Self {
+            map: Canonical::new(field, form, (outer - inner, 0.0)),
+            log_inner_radius: outer - inner,
+            evidence: solved.evidence,
+        })
     }
 
     /// The region.
@@ -89,6 +103,21 @@ impl AnnulusMap {
         places(points, &|w| self.place(w))
     }
 
+    /// Lines of the region that go to circles and rays of the ring.
+    #[must_use]
+    pub fn level_lines(&self, what: RingLines, levels: &[f64]) -> Vec<LevelLine> {
+        let line = |&level: &f64| {
+            let closed = what == RingLines::Circles;
+            let at = |t: f64| match what {
+                RingLines::Circles => self.place(Complex64::from_polar(level, TAU * t)),
+                RingLines::Rays => self.place(Complex64::from_polar((self.log_inner_radius * t).exp(), level)),
+            };
+            let points = polyline(&|t| at(t).map(|(z, _)| z))?;
+            Some(LevelLine { level, points: if closed { points[1..].to_vec() } else { points }, closed })
+        };
+        levels.iter().filter_map(line).collect()
+    }
+
     /// f' of the map region → ring, per plane unit. NaN outside the closed region; infinite at a re-entrant vertex.
     #[must_use]
     pub fn derivative(&self, points: &[Complex64]) -> Vec<Complex64> {
@@ -102,3 +131,4 @@ impl AnnulusMap {
 
 evidence_methods!(AnnulusMap, "of log w anywhere in the region, so of w relative to its size.");
 two_ways!(AnnulusMap);
+prepared!(AnnulusMap);

@@ -1,9 +1,12 @@
 //! A map onto a canonical region, both ways.
 
 use super::field::DomainField;
+use super::inverse_tree::{InverseTree, Inverted, Origin, Pair};
 use super::seeds::Seeds;
+use crate::Result;
 use crate::map::{Jet, pointwise};
-use crate::plane::{Complex64, Domain};
+use crate::plane::{Complex64, Domain, DomainPoint};
+use crate::symm::options::Progress;
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
 
@@ -25,8 +28,20 @@ pub struct Form {
 pub struct Canonical {
     field: Arc<DomainField>,
     form: Form,
-    /// Known pairs, from which the way back starts; made at its first use.
-    seeds: Arc<OnceLock<Seeds>>,
+    /// The real parts of k lie between these.
+    strip: (f64, f64),
+    /// The larger side of the first component's box.
+    size: f64,
+    /// Made at the first use of the way back.
+    back: Arc<OnceLock<Back>>,
+}
+
+/// What the way back needs.
+#[derive(Debug)]
+struct Back {
+    /// Known pairs.
+    seeds: Seeds,
+    tree: InverseTree,
 }
 
 /// Newton's method ends after so many steps.
@@ -40,15 +55,46 @@ const ROUNDING: f64 = 2e-16;
 /// How often a step is shortened.
 const MOST_TRIALS: usize = 12;
 /// Seeds that are tried.
-const CANDIDATES: usize = 6;
+const CANDIDATES: usize = 16;
 /// Steps on the straight way from a seed, if Newton's method alone does not find it.
 const LONGEST_WAY: usize = 64;
 
 impl Canonical {
     /// A map in a given form.
     #[must_use]
-    pub fn new(field: DomainField, form: Form) -> Self {
-        Self { field: Arc::new(field), form, seeds: Arc::default() }
+    pub fn new(field: DomainField, form: Form, strip: (f64, f64)) -> Self {
+        let size = field.domain().contours()[0].polygon().size();
+        Self { field: Arc::new(field), form, strip, size, back: Arc::default() }
+    }
+
+    /// Makes now what evaluation makes at its first use, either way.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled); what was finished by then is kept.
+    pub fn prepare(&self, progress: Progress) -> Result<()> {
+        self.field.prepare(progress)?;
+        let back = self.back();
+        self.inverting(back, |inverted| back.tree.fill(inverted, progress))
+    }
+
+    fn back(&self) -> &Back {
+        self.back.get_or_init(|| {
+            let key = |z| self.key(z).map(|(key, _)| key).filter(|key| key.is_finite());
+            let seeds = Seeds::new(self.domain(), self.form.exponential, &key);
+            let tree = InverseTree::new(&seeds);
+            Back { seeds, tree }
+        })
+    }
+
+    /// Calls `what` with what the tree has to know of the map.
+    #[inline]
+    fn inverting<T>(&self, back: &Back, what: impl FnOnce(&Inverted) -> T) -> T {
+        let newton = |target: Complex64, z: Complex64| {
+            let (z, slope) = self.newton(target, z, REACHED)?;
+            Some(Pair { key: target, z, slope: slope.inv() })
+        };
+        let (strip, accuracy, size) = (self.strip, self.field.accuracy(), self.size);
+        what(&Inverted { seeds: &back.seeds, strip, newton: &newton, accuracy, size })
     }
 
     /// The function B.
@@ -64,7 +110,8 @@ impl Canonical {
     }
 
     /// (k, k') at a point; `None` outside the closed domain.
-    fn key(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+    #[must_use]
+    pub fn key(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
         let (value, slope) = self.field.fast(z)?;
         Some((self.form.factor * value + self.form.shift, self.form.factor * slope))
     }
@@ -102,16 +149,48 @@ impl Canonical {
             let zero = self.form.zero?;
             return Some((zero, self.slope_at_zero(zero).inv()));
         }
-        let target = if self.form.exponential { w.ln() } else { w };
-        let seeds = self.seeds.get_or_init(|| {
-            let key = |z| self.key(z).map(|(key, _)| key).filter(|key| key.is_finite());
-            Seeds::new(self.domain(), self.form.exponential, &key)
-        });
-        let candidates = seeds.near(target, CANDIDATES);
-        let direct = candidates.iter().find_map(|&(_, z)| self.newton(target, z));
-        let z = direct.or_else(|| candidates.iter().find_map(|&(key, z)| self.walk(key, z, target)))?;
-        let slope = self.at(z)?.1;
-        Some((z, slope.inv()))
+        let mut target = if self.form.exponential { w.ln() } else { w };
+        if target.im < 0.0 && self.form.exponential {
+            target.im += TAU;
+        }
+        let back = self.back();
+        let found = match self.inverting(back, |inverted| back.tree.at(target, inverted)) {
+            Origin::Known(z, slope) => Some((z, slope)),
+            Origin::Near(pair) => self.newton(target, pair.guess(target), REACHED).map(|(z, slope)| (z, slope.inv())),
+            Origin::Unknown => None,
+        };
+        let (z, slope) = found.or_else(|| {
+            let (z, slope) = self.from_seeds(target, REACHED)?;
+            Some((z, slope.inv()))
+        })?;
+        Some((z, if self.form.exponential { slope / w } else { slope }))
+    }
+
+    /// The form.
+    #[must_use]
+    pub fn form(&self) -> &Form {
+        &self.form
+    }
+
+    /// (k, k') at a point of the boundary, k being continuous along a component around which it does not grow.
+    #[must_use]
+    pub fn key_on_boundary(&self, point: DomainPoint) -> (Complex64, Complex64) {
+        let (value, slope) = self.field.on_boundary(point);
+        (self.form.factor * value + self.form.shift, self.form.factor * slope)
+    }
+
+    /// The point where k is `target`, up to `reached`.
+    #[must_use]
+    pub fn seek(&self, target: Complex64, reached: f64) -> Option<Complex64> {
+        self.from_seeds(target, reached).map(|(z, _)| z)
+    }
+
+    /// (z, k') where k is `target`, by Newton's method from what lies near.
+    #[cold]
+    fn from_seeds(&self, target: Complex64, reached: f64) -> Option<(Complex64, Complex64)> {
+        let candidates = self.back().seeds.near(target, CANDIDATES);
+        let direct = candidates.iter().find_map(|&(_, z)| self.newton(target, z, reached));
+        direct.or_else(|| candidates.iter().find_map(|&(key, z)| self.walk(key, z, target, reached)))
     }
 
     /// [`Canonical::inverse`] between the circles |w| = e^low and |w| = e^high, which belong to it up to rounding, and go to the
@@ -141,21 +220,21 @@ impl Canonical {
         miss
     }
 
-    /// Newton's method for k(z) = target, with steps that stay in the domain and come nearer.
-    fn newton(&self, target: Complex64, mut z: Complex64) -> Option<Complex64> {
-        let (key, mut slope) = self.key(z)?;
+    /// Newton's method for k(z) = target, with steps that stay in the domain and come nearer: z, and k' there.
+    fn newton(&self, target: Complex64, z: Complex64, reached: f64) -> Option<(Complex64, Complex64)> {
+        let (mut z, (key, mut slope)) = self.key_inside(z)?;
+        let rounding = ROUNDING * (1.0 + target.norm());
         let mut miss = self.miss(key, target);
         for _ in 0..MOST_STEPS {
             let mut step = -miss / slope;
             if !step.is_finite() {
                 // On a corner itself: move off it.
-                step = Complex64::new(1e-9 * self.size(), 0.0);
+                step = Complex64::new(1e-9 * self.size, 0.0);
             }
             let mut moved = None;
             // What is as good as it can be is not worth many trials.
             for _ in 0..if miss.norm() <= SATISFIED { 1 } else { MOST_TRIALS } {
-                let next = self.inside(z + step);
-                if let Some((key, slope)) = self.key(next) {
+                if let Some((next, (key, slope))) = self.key_inside(z + step) {
                     let next_miss = self.miss(key, target);
                     if next_miss.norm() < miss.norm() {
                         moved = Some((next, next_miss, slope));
@@ -167,19 +246,23 @@ impl Canonical {
             let Some((next, next_miss, next_slope)) = moved else { break };
             let length = (next - z).norm();
             (z, miss, slope) = (next, next_miss, next_slope);
-            if miss.norm() <= ROUNDING || length <= 1e-16 * self.size() {
+            if miss.norm() <= rounding || length <= 1e-16 * self.size {
                 break;
             }
         }
-        (miss.norm() <= REACHED).then_some(z)
+        (miss.norm() <= reached).then_some((z, slope))
     }
 
     /// From a known pair along the straight way.
-    fn walk(&self, key: Complex64, z: Complex64, target: Complex64) -> Option<Complex64> {
+    fn walk(&self, key: Complex64, z: Complex64, target: Complex64, reached: f64) -> Option<(Complex64, Complex64)> {
         let way = -self.miss(key, target);
         let mut steps = 4;
         while steps <= LONGEST_WAY {
-            let found = (1..=steps).try_fold(z, |z, k| self.newton(key + way * (k as f64 / steps as f64), z));
+            let start = (z, Complex64::ZERO);
+            let found = (1..=steps).try_fold(start, |(z, _), k| {
+                let reached = if k == steps { reached } else { REACHED };
+                self.newton(key + way * (k as f64 / steps as f64), z, reached)
+            });
             if found.is_some() {
                 return found;
             }
@@ -188,13 +271,13 @@ impl Canonical {
         None
     }
 
-    /// The point, or the nearest of the boundary if it lies outside.
-    fn inside(&self, z: Complex64) -> Complex64 {
-        if self.domain().contains(z) { z } else { self.domain().nearest(z).place.point }
-    }
-
-    fn size(&self) -> f64 {
-        self.domain().contours()[0].polygon().size()
+    /// The point, or the nearest of the boundary if it lies outside, and (k, k') there.
+    fn key_inside(&self, z: Complex64) -> Option<(Complex64, (Complex64, Complex64))> {
+        if let Some(known) = self.key(z) {
+            return Some((z, known));
+        }
+        let wall = self.domain().nearest(z).place.point;
+        Some((wall, self.key(wall)?))
     }
 
     /// Domain → canonical region; NaN outside.
@@ -248,3 +331,20 @@ macro_rules! two_ways {
     };
 }
 pub(super) use two_ways;
+
+/// Gives a class with a [`Canonical`] in `map` the method `prepare`.
+macro_rules! prepared {
+    ($class:ident) => {
+        impl $class {
+            /// Builds the evaluator now, both ways, instead of at its first use. `progress` as in solving.
+            ///
+            /// # Errors
+            /// [`Error::Cancelled`]($crate::Error::Cancelled). What was finished by then is kept, and the map is as usable as
+            /// before.
+            pub fn prepare(&self, progress: $crate::symm::options::Progress) -> $crate::Result<()> {
+                self.map.prepare(progress)
+            }
+        }
+    };
+}
+pub(super) use prepared;

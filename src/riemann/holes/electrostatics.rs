@@ -2,6 +2,7 @@
 
 use super::super::evidence::{Evidence, evidence_methods};
 use super::field::DomainField;
+use super::level_lines::{Function, LevelLine};
 use super::solved::Solved;
 use crate::plane::{Complex64, Domain};
 use crate::symm::options::{Progress, SolveOptions};
@@ -137,6 +138,65 @@ impl Electrostatics {
     #[must_use]
     pub fn potential(&self, points: &[Complex64]) -> Vec<f64> {
         points.iter().map(|&z| self.field.fast(z).map_or(f64::NAN, |(b, _)| self.level - b.re / TAU)).collect()
+    }
+
+    /// Lines on which the potential has given values, in the box from `low` to `high`, traced by the field itself. A closed line
+    /// smaller than 1/72 of the box may be missed.
+    #[must_use]
+    pub fn level_lines(&self, levels: &[f64], [low, high]: [Complex64; 2]) -> Vec<LevelLine> {
+        // The imaginary part of i(level − B/2π).
+        let i = Complex64::i();
+        let function = Function { field: &self.field, factor: -i / TAU, shift: i * self.level };
+        let rests = function.rests_inside((low, high));
+        function.lines(levels, (low, high), &rests)
+    }
+
+    /// Lines of force, in the box from `low` to `high`: `count` leave the conductor with the largest charge, and from every
+    /// other with a positive one as many as it has of it. The same flux lies between neighbours. The `level` of each is the
+    /// number of the conductor that it leaves.
+    #[must_use]
+    pub fn force_lines(&self, count: usize, [low, high]: [Complex64; 2]) -> Vec<LevelLine> {
+        // E = conj F' with F = B/2π.
+        let function = Function { field: &self.field, factor: Complex64::from(1.0 / TAU), shift: Complex64::ZERO };
+        let largest = self.charges.iter().fold(0.0, |most: f64, charge| most.max(charge.abs()));
+        let mut lines = Vec::new();
+        for (component, charge) in self.charges.iter().enumerate() {
+            let own = (count as f64 * charge / largest).round();
+            // None of what is negative or NaN.
+            for start in self.places_of_flux(component, own as usize) {
+                let line = function.line_from(start, (low, high));
+                lines.extend(line.map(|line| LevelLine { level: component as f64, ..line }));
+            }
+        }
+        lines
+    }
+
+    /// Places of a wall between which the same flux leaves it.
+    fn places_of_flux(&self, component: usize, count: usize) -> Vec<Complex64> {
+        const SAMPLES: usize = 24;
+        let domain = self.field.domain();
+        let samples = domain.contours()[component].polygon().len() * SAMPLES;
+        let at = |k: usize| domain.place_along(component, k as f64 / SAMPLES as f64);
+        let phases: Vec<f64> = (0..samples).map(|k| self.field.on_boundary(at(k)).0.im).collect();
+        // Around the wall Im B grows or falls by 2π times the charge.
+        let whole = TAU * self.charges[component];
+        let outward = if domain.is_bounded() && component == 0 { -1.0 } else { 1.0 };
+        let mut sums = vec![0.0];
+        for k in 0..samples {
+            let mut change = outward * (phases[(k + 1) % samples] - phases[k]);
+            if k + 1 == samples {
+                change += whole;
+            }
+            // What runs back enters the wall.
+            sums.push(sums[k] + change.max(0.0));
+        }
+        let place = |n: usize| {
+            let wanted = (n as f64 + 0.5) / count as f64 * sums[samples];
+            let k = sums.partition_point(|sum| *sum < wanted).clamp(1, samples) - 1;
+            let share = (wanted - sums[k]) / (sums[k + 1] - sums[k]);
+            domain.point_along(component, (k as f64 + share) / SAMPLES as f64)
+        };
+        (0..count).map(place).collect()
     }
 
     /// The electric field E, as x + iy, at points; NaN inside conductors.

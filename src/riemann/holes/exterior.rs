@@ -1,7 +1,7 @@
 //! The map of the outside of a body onto the outside of the disk.
 
 use super::super::evidence::{Evidence, evidence_methods};
-use super::canonical::{Canonical, Form, places, two_ways};
+use super::canonical::{Canonical, Form, places, prepared, two_ways};
 use super::solved::Solved;
 use crate::plane::{Complex64, Domain};
 use crate::symm::options::{Progress, SolveOptions};
@@ -47,7 +47,7 @@ impl ExteriorMap {
         let form =
             Form { factor: Complex64::ONE, shift: Complex64::new(constant, -angle), exponential: true, zero: None };
         let capacity = (-constant).exp() / solved.scale().unit;
-        Ok(Self { map: Canonical::new(field, form), capacity, evidence: solved.evidence })
+        Ok(Self { map: Canonical::new(field, form, (0.0, f64::INFINITY)), capacity, evidence: solved.evidence })
     }
 
     /// The outside of the body.
@@ -87,3 +87,4 @@ impl ExteriorMap {
 
 evidence_methods!(ExteriorMap, "of log w anywhere, so of w relative to its size.");
 two_ways!(ExteriorMap);
+prepared!(ExteriorMap);

@@ -1,10 +1,13 @@
 //! The analytic function that a problem gives, in plane units.
 
-use super::cells::Cells;
+use super::super::atlas::accuracy::Accuracy;
+use super::evaluator::{Evaluator, Found};
+use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64, Domain, DomainPoint};
 use crate::symm::field::Field;
+use crate::symm::options::{Progress, unless_cancelled};
 use crate::symm::smooth_field::SmoothField;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// The function B of a problem on its closed domain.
 #[derive(Clone, Debug)]
@@ -13,7 +16,9 @@ pub struct DomainField {
     origin: Complex64,
     unit: f64,
     kind: Kind,
-    cells: Arc<Cells>,
+    /// Made at its first use.
+    evaluator: Arc<OnceLock<Evaluator>>,
+    accuracy: Accuracy,
 }
 
 /// What it was solved on.
@@ -26,14 +31,38 @@ pub enum Kind {
 }
 
 impl DomainField {
-    pub(super) fn new(domain: Arc<Domain>, origin: Complex64, unit: f64, kind: Kind) -> Self {
-        let source = match &kind {
-            Kind::Polygons(field) => field.source,
-            Kind::Smooth(field) => field.source,
-        };
-        let singular = source.singularities().into_iter().map(|z| z / unit + origin).collect();
-        let cells = Arc::new(Cells::new(&domain, singular));
-        Self { domain, origin, unit, kind, cells }
+    pub(super) fn new(domain: Arc<Domain>, origin: Complex64, unit: f64, kind: Kind, error_estimate: f64) -> Self {
+        let accuracy = Accuracy::beside(error_estimate);
+        Self { domain, origin, unit, kind, evaluator: Arc::default(), accuracy }
+    }
+
+    /// What its expansions are made for.
+    #[must_use]
+    pub fn accuracy(&self) -> Accuracy {
+        self.accuracy
+    }
+
+    /// Makes now what [`DomainField::fast`] makes at its first use.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    pub fn prepare(&self, progress: Progress) -> Result<()> {
+        if self.evaluator.get().is_none() {
+            let built = unless_cancelled(progress, |progress| self.build(progress))?;
+            // If another thread was first, its are the same.
+            let _ = self.evaluator.set(built);
+        }
+        self.evaluator().fill(progress)
+    }
+
+    fn build(&self, progress: Progress) -> Evaluator {
+        match &self.kind {
+            Kind::Polygons(field) => {
+                let thickness = self.domain.contours().iter().map(|contour| contour.thickness()).fold(0.0, f64::max);
+                Evaluator::of_polygons(field, thickness * self.unit, self.accuracy, progress)
+            }
+            Kind::Smooth(field) => Evaluator::of_curves(field, &self.domain, (self.origin, self.unit)),
+        }
     }
 
     /// The domain.
@@ -60,10 +89,44 @@ impl DomainField {
         self.domain.contains(z).then(|| self.directly(z))
     }
 
-    /// [`DomainField::at`] by power series where they serve: the same up to rounding, but for the branch of B.
+    /// [`DomainField::at`] by power series where they serve: the same within the accuracy of the solve, but for the branch of B.
+    #[inline]
     #[must_use]
     pub fn fast(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
-        self.cells.at(&self.domain, z, &|z| self.directly(z)).or_else(|| self.at(z))
+        if !z.is_finite() {
+            return None;
+        }
+        match self.evaluator().at((z - self.origin) * self.unit) {
+            Found::Known(value, slope) => Some((value, slope * self.unit)),
+            Found::Outside => None,
+            Found::Unknown => self.at(z),
+        }
+    }
+
+    /// [`DomainField::fast`] on the branch of [`DomainField::at`].
+    #[must_use]
+    pub fn branched(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        if !z.is_finite() {
+            return None;
+        }
+        let scaled = (z - self.origin) * self.unit;
+        match self.evaluator().at(scaled) {
+            Found::Known(value, slope) => Some((value + self.evaluator().branch(scaled), slope * self.unit)),
+            Found::Outside => None,
+            Found::Unknown => self.at(z),
+        }
+    }
+
+    /// By how much that branch jumps on the straight way between two points: 0 unless it crosses a cut, which run to the left.
+    #[must_use]
+    pub fn jump(&self, from: Complex64, to: Complex64) -> Complex64 {
+        let scaled = |z: Complex64| (z - self.origin) * self.unit;
+        self.evaluator().jump(scaled(from), scaled(to))
+    }
+
+    #[inline]
+    fn evaluator(&self) -> &Evaluator {
+        self.evaluator.get_or_init(|| self.build(&mut |_, _| true))
     }
 
     /// (B, B') at a point inside.

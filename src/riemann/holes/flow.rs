@@ -2,13 +2,15 @@
 
 use super::super::evidence::{Evidence, evidence_methods};
 use super::field::DomainField;
+use super::level_lines::{Function, LevelLine};
 use super::peak::peak;
 use super::solved::Solved;
-use crate::plane::{Complex64, Domain, DomainPoint};
+use crate::plane::{Complex64, Domain};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::problem::{Problem, Source};
 use crate::{Error, Result};
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// How much fluid turns around the bodies.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +22,15 @@ pub enum Circulation {
         /// The trailing vertex of each body: an index of its boundary points, counter-clockwise.
         trailing: Vec<usize>,
     },
+}
+
+/// Lines of a flow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FlowLines {
+    /// The stream function ψ is constant: the fluid runs along them.
+    Streamlines,
+    /// The potential φ is constant.
+    Potentials,
 }
 
 /// The plane flow of an ideal fluid past one or more bodies.
@@ -39,6 +50,8 @@ pub enum Circulation {
 /// ```
 #[derive(Clone, Debug)]
 pub struct PotentialFlow {
+    /// Winds along x and y, and a turning around each body.
+    solved: Arc<Solved>,
     field: DomainField,
     /// W = this · B + shift.
     factor: Complex64,
@@ -69,41 +82,44 @@ impl PotentialFlow {
             let found = "an outer boundary".to_string();
             return Err(Error::WrongRegion { what: "A flow past bodies", needed: "the outside of bodies", found });
         }
-        if !(speed.is_finite() && speed > 0.0) {
-            return Err(Error::InvalidOption { name: "speed", expected: "a positive number", value: speed });
-        }
-        if !angle.is_finite() {
-            return Err(Error::InvalidOption { name: "angle", expected: "a number of radians", value: angle });
-        }
-        let (what, found) = match circulation {
-            Circulation::Given(given) => ("The circulation", given.len()),
-            Circulation::Kutta { trailing } => ("trailing", trailing.len()),
-        };
-        if found != bodies {
-            return Err(Error::WrongLength { what, expected: format!("as many as there are bodies, {bodies}"), found });
-        }
+        checked(domain, speed, angle, circulation)?;
         let problems = |_| {
-            let wind =
-                Problem { source: Source::Stream(Complex64::i() * Complex64::cis(-angle)), charges: vec![0.0; bodies] };
             let turning = |k: usize| {
                 let mut charges = vec![0.0; bodies];
                 charges[k] = 1.0;
                 Problem::charged(charges)
             };
-            std::iter::once(wind).chain((0..bodies).map(turning)).collect()
+            let wind = |factor| Problem { source: Source::Stream(factor), charges: vec![0.0; bodies] };
+            // Along x and along y.
+            [wind(Complex64::i()), wind(Complex64::ONE)].into_iter().chain((0..bodies).map(turning)).collect()
         };
-        let solved = Solved::solve(domain, &problems, options, progress)?;
+        let solved = Arc::new(Solved::solve(domain, &problems, options, progress)?);
+        Ok(Self::of(solved, speed, angle, circulation))
+    }
+
+    /// Another wind, and another turning, past the same bodies: nothing is solved again.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`] and [`Error::WrongLength`] as [`PotentialFlow::past`].
+    pub fn again(&self, speed: f64, angle: f64, circulation: &Circulation) -> Result<Self> {
+        checked(self.domain(), speed, angle, circulation)?;
+        Ok(Self::of(Arc::clone(&self.solved), speed, angle, circulation))
+    }
+
+    fn of(solved: Arc<Solved>, speed: f64, angle: f64, circulation: &Circulation) -> Self {
         let scale = solved.scale();
+        let wind = [angle.cos(), angle.sin()];
         let charges = match circulation {
             Circulation::Given(given) => given.iter().map(|gamma| -gamma * scale.unit / (TAU * speed)).collect(),
-            Circulation::Kutta { trailing } => kutta_charges(domain, &solved, trailing)?,
+            Circulation::Kutta { trailing } => kutta_charges(&solved, wind, trailing),
         };
         let circulation = charges.iter().map(|charge| -TAU * charge * speed / scale.unit).collect();
-        let weights: Vec<f64> = std::iter::once(1.0).chain(charges).collect();
+        let weights: Vec<f64> = wind.into_iter().chain(charges).collect();
         let field = solved.field(&weights);
         let factor = Complex64::i() * (speed / scale.unit);
         let shift = speed * Complex64::cis(-angle) * scale.origin;
-        Ok(Self { field, factor, shift, speed, angle, circulation, evidence: solved.evidence })
+        let evidence = solved.evidence;
+        Self { solved, field, factor, shift, speed, angle, circulation, evidence }
     }
 
     /// The outside of the bodies.
@@ -122,13 +138,48 @@ impl PotentialFlow {
     #[must_use]
     pub fn potential(&self, points: &[Complex64]) -> Vec<Complex64> {
         let nowhere = Complex64::new(f64::NAN, f64::NAN);
-        points.iter().map(|&z| self.field.at(z).map_or(nowhere, |(b, _)| self.factor * b + self.shift)).collect()
+        points.iter().map(|&z| self.field.branched(z).map_or(nowhere, |(b, _)| self.factor * b + self.shift)).collect()
     }
 
     /// The stream function ψ at points: constant along streamlines, and on each body; NaN inside bodies.
     #[must_use]
     pub fn stream(&self, points: &[Complex64]) -> Vec<f64> {
-        self.potential(points).iter().map(|w| w.im).collect()
+        let stream = |(b, _): (Complex64, Complex64)| (self.factor * b + self.shift).im;
+        points.iter().map(|&z| self.field.fast(z).map_or(f64::NAN, stream)).collect()
+    }
+
+    /// Lines on which ψ or φ has given values, in the box from `low` to `high`, traced by the flow itself. Streamlines whose
+    /// value is that of a body or of another stagnation point part and join there exactly. Every point of a line has its value
+    /// as exactly as the flow is solved; a closed line smaller than 1/72 of the box may be missed. With circulation φ has many
+    /// values at a point: a line goes on across the cuts of [`PotentialFlow::potential`].
+    #[must_use]
+    pub fn level_lines(&self, what: FlowLines, levels: &[f64], [low, high]: [Complex64; 2]) -> Vec<LevelLine> {
+        let window = (low, high);
+        match what {
+            FlowLines::Streamlines => {
+                let function = self.function(Complex64::ONE);
+                let mut rests = self.stagnation_points();
+                rests.extend(function.rests_inside(window));
+                function.lines(levels, window, &rests)
+            }
+            FlowLines::Potentials => {
+                // The imaginary part of iW is φ.
+                let function = self.function(Complex64::i());
+                let rests = function.rests_inside(window);
+                function.lines(levels, window, &rests)
+            }
+        }
+    }
+
+    /// The points off the bodies where the fluid rests, in the box from `low` to `high`.
+    #[must_use]
+    pub fn free_stagnation_points(&self, [low, high]: [Complex64; 2]) -> Vec<Complex64> {
+        self.function(Complex64::ONE).rests_inside((low, high))
+    }
+
+    /// W times a number.
+    fn function(&self, turn: Complex64) -> Function<'_> {
+        Function { field: &self.field, factor: turn * self.factor, shift: turn * self.shift }
     }
 
     /// The velocity u + iv at points; NaN inside bodies, infinite at a corner that the fluid goes around.
@@ -206,14 +257,7 @@ impl PotentialFlow {
                     sign * (phi(place) + turn * laps)
                 };
                 let place = peak(&shifted, base - step, base + step);
-                let DomainPoint { place, .. } = along(component, place);
-                found.push(match contour.smooth() {
-                    Some(curve) => curve.point(curve.parameter(place)),
-                    None => {
-                        let (a, b) = contour.polygon().edge(place.edge);
-                        a + (b - a) * place.t
-                    }
-                });
+                found.push(self.domain().point_along(component, place));
             }
         }
         found
@@ -222,9 +266,23 @@ impl PotentialFlow {
 
 evidence_methods!(PotentialFlow, "of W, in units of the speed times the bodies' size.");
 
-/// Charges with which the densities' singular parts at the trailing vertices cancel.
-fn kutta_charges(domain: &Domain, solved: &Solved, trailing: &[usize]) -> Result<Vec<f64>> {
-    let bodies = trailing.len();
+/// What a flow may be asked for.
+fn checked(domain: &Domain, speed: f64, angle: f64, circulation: &Circulation) -> Result<()> {
+    if !(speed.is_finite() && speed > 0.0) {
+        return Err(Error::InvalidOption { name: "speed", expected: "a positive number", value: speed });
+    }
+    if !angle.is_finite() {
+        return Err(Error::InvalidOption { name: "angle", expected: "a number of radians", value: angle });
+    }
+    let bodies = domain.contours().len();
+    let (what, found) = match circulation {
+        Circulation::Given(given) => ("The circulation", given.len()),
+        Circulation::Kutta { trailing } => ("trailing", trailing.len()),
+    };
+    if found != bodies {
+        return Err(Error::WrongLength { what, expected: format!("as many as there are bodies, {bodies}"), found });
+    }
+    let Circulation::Kutta { trailing } = circulation else { return Ok(()) };
     for (contour, &vertex) in domain.contours().iter().zip(trailing) {
         let (value, polygon) = (vertex as f64, contour.polygon());
         if vertex >= polygon.len() {
@@ -239,9 +297,16 @@ fn kutta_charges(domain: &Domain, solved: &Solved, trailing: &[usize]) -> Result
             return Err(Error::InvalidOption { name: "trailing", expected, value });
         }
     }
-    let fields: Vec<DomainField> = (0..=bodies)
-        .map(|k| solved.field(&(0..=bodies).map(|j| f64::from(u8::from(j == k))).collect::<Vec<_>>()))
-        .collect();
+    Ok(())
+}
+
+/// Charges with which the densities' singular parts at the trailing vertices cancel.
+fn kutta_charges(solved: &Solved, [along_x, along_y]: [f64; 2], trailing: &[usize]) -> Vec<f64> {
+    let bodies = trailing.len();
+    let turning = |k: usize| (0..2 + bodies).map(|j| f64::from(u8::from(j == 2 + k))).collect::<Vec<_>>();
+    let wind: Vec<f64> = [along_x, along_y].into_iter().chain(vec![0.0; bodies]).collect();
+    let fields: Vec<DomainField> =
+        std::iter::once(wind).chain((0..bodies).map(turning)).map(|weights| solved.field(&weights)).collect();
     let mut system = Vec::with_capacity(bodies * bodies);
     let mut rhs = Vec::with_capacity(bodies);
     for (body, &vertex) in trailing.iter().enumerate() {
@@ -249,5 +314,5 @@ fn kutta_charges(domain: &Domain, solved: &Solved, trailing: &[usize]) -> Result
         system.extend_from_slice(&strengths[1..]);
         rhs.push(-strengths[0]);
     }
-    Ok(crate::symm::small_solve(system, rhs))
+    crate::symm::small_solve(system, rhs)
 }

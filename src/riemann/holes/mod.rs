@@ -5,18 +5,30 @@
 
 mod annulus;
 mod canonical;
-mod cells;
+mod circles;
+mod curve_squares;
+mod cuts;
 mod electrostatics;
+mod evaluator;
 mod exterior;
+mod far_series;
 mod field;
 mod flow;
+mod inside;
+mod inverse_tree;
+mod lazy_tree;
+mod level_lines;
 mod peak;
+mod polygon_squares;
 mod seeds;
 mod slits;
 mod solved;
+mod wall_patch;
 
-pub use annulus::AnnulusMap;
+pub use annulus::{AnnulusMap, RingLines};
+pub use circles::{Circle, CircleMap};
 pub use electrostatics::{Conductors, Electrostatics};
 pub use exterior::ExteriorMap;
-pub use flow::{Circulation, PotentialFlow};
+pub use flow::{Circulation, FlowLines, PotentialFlow};
+pub use level_lines::LevelLine;
 pub use slits::{Slit, SlitKind, SlitMap};

@@ -1,6 +1,6 @@
 //! Points of a domain with their keys, from which the way back starts.
 
-use crate::plane::{Complex64, Domain};
+use crate::plane::{Complex64, Domain, sort_by_number};
 use std::f64::consts::TAU;
 
 /// Pairs (key, z), found by their keys.
@@ -10,6 +10,7 @@ pub struct Seeds {
     /// Whether keys count modulo 2πi.
     periodic: bool,
     low: Complex64,
+    high: Complex64,
     /// Columns and rows a unit of the key.
     scale: Complex64,
     /// The pairs of each bin, row by row.
@@ -34,23 +35,26 @@ impl Seeds {
             if periodic { Complex64::new(key.re, key.im.rem_euclid(TAU)) } else { key }
         };
         let pairs: Vec<_> = points.into_iter().filter_map(|z| Some((reduced(key(z)?), z))).collect();
-        let infinite = Complex64::new(f64::INFINITY, f64::INFINITY);
-        let (mut low, mut high) = (infinite, -infinite);
-        for (key, _) in &pairs {
-            low = Complex64::new(low.re.min(key.re), low.im.min(key.im));
-            high = Complex64::new(high.re.max(key.re), high.im.max(key.im));
-        }
+        let ([left, right], [lower, upper]) =
+            (core(pairs.iter().map(|(key, _)| key.re)), core(pairs.iter().map(|(key, _)| key.im)));
+        let (mut low, mut high) = (Complex64::new(left, lower), Complex64::new(right, upper));
         if periodic {
             (low.im, high.im) = (0.0, TAU);
         }
         let per_unit = |size: f64| if size > 0.0 { BINS as f64 / size } else { 1.0 };
         let scale = Complex64::new(per_unit(high.re - low.re), per_unit(high.im - low.im));
-        let mut seeds = Self { pairs, periodic, low, scale, bins: vec![Vec::new(); (BINS * BINS) as usize] };
+        let mut seeds = Self { pairs, periodic, low, high, scale, bins: vec![Vec::new(); (BINS * BINS) as usize] };
         for index in 0..seeds.pairs.len() {
             let (column, row) = seeds.bin(seeds.pairs[index].0);
             seeds.bins[(row * BINS + column) as usize].push(index as u32);
         }
         seeds
+    }
+
+    /// The corners of the box around all keys but those far away from most.
+    #[must_use]
+    pub fn bounds(&self) -> (Complex64, Complex64) {
+        (self.low, self.high)
     }
 
     fn bin(&self, key: Complex64) -> (i64, i64) {
@@ -95,6 +99,15 @@ impl Seeds {
     }
 }
 
+/// Between what numbers lie, but those farther outside of the middle 96 % than these are apart.
+fn core(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    let mut sorted: Vec<f64> = numbers.collect();
+    sort_by_number(&mut sorted, |x| *x);
+    let Some((&least, &most)) = sorted.first().zip(sorted.last()) else { return [0.0, 1.0] };
+    let [low, high] = [sorted.len() / 50, sorted.len() - 1 - sorted.len() / 50].map(|k| sorted[k]);
+    [(2.0 * low - high).max(least), (2.0 * high - low).min(most)]
+}
+
 /// The bins that are `reach` away.
 fn ring(reach: i64) -> impl Iterator<Item = (i64, i64)> {
     let side = -reach..=reach;
@@ -129,6 +142,18 @@ fn samples(domain: &Domain) -> Vec<Complex64> {
     let reach = if domain.is_bounded() { 1.0 } else { 2.0 };
     for k in 0..GRID * GRID {
         points.push(middle + Complex64::new(size.re * share(k % GRID), size.im * share(k / GRID)) * reach);
+    }
+    if let Some(center) = domain.center() {
+        // Maps are singular there, or take it to 0.
+        const AROUND: u32 = 12;
+        const RINGS: i32 = 12;
+        let room = (domain.nearest(center).place.point - center).norm();
+        for ring in 0..RINGS {
+            let at = |k: u32| {
+                center + Complex64::from_polar(0.7 * room * 2f64.powi(-ring), TAU * f64::from(k) / f64::from(AROUND))
+            };
+            points.extend((0..AROUND).map(at));
+        }
     }
     if !domain.is_bounded() {
         const AROUND: u32 = 32;

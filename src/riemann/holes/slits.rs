@@ -1,7 +1,7 @@
 //! Maps of regions with any number of holes onto regions with slits.
 
 use super::super::evidence::{Evidence, evidence_methods};
-use super::canonical::{Canonical, Form, places, two_ways};
+use super::canonical::{Canonical, Form, places, prepared, two_ways};
 use super::field::DomainField;
 use super::peak::peak;
 use super::solved::{Scale, Solved};
@@ -59,7 +59,19 @@ pub struct SlitMap {
     map: Canonical,
     kind: SlitKind,
     slits: Vec<Slit>,
+    /// Of the components that become slits.
+    ends: Vec<SlitEnds>,
     evidence: Evidence,
+}
+
+/// Where on a component Im B is largest, and where smallest: what goes to the slit's ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SlitEnds {
+    pub component: usize,
+    /// Counted as [`Domain::place_along`] does.
+    pub places: [f64; 2],
+    /// k there.
+    pub keys: [Complex64; 2],
 }
 
 impl SlitMap {
@@ -73,8 +85,12 @@ impl SlitMap {
         let solved = Solved::solve(domain, &|scale| vec![problem(scale)], options, progress)?;
         let field = solved.field(&[1.0]);
         let form = form_of(&field, solved.scale(), kind);
-        let slits = slits(&field, kind, &form);
-        Ok(Self { map: Canonical::new(field, form), kind, slits, evidence: solved.evidence })
+        let strip = strip_of(&field, kind);
+        let map = Canonical::new(field, form, strip);
+        let ends = ends(&map, kind);
+        let image = |key: Complex64| if form.exponential { key.exp() } else { key };
+        let slits = ends.iter().map(|ends| Slit { ends: ends.keys.map(image) }).collect();
+        Ok(Self { map, kind, slits, ends, evidence: solved.evidence })
     }
 
     /// The domain.
@@ -113,13 +129,34 @@ impl SlitMap {
         self.map.slopes(points)
     }
 
-    fn place(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
-        let constants = self.map.field().constants();
+    /// The map as its function B.
+    pub(super) fn canonical(&self) -> &Canonical {
+        &self.map
+    }
+
+    /// What goes to the ends of each slit.
+    pub(super) fn ends(&self) -> &[SlitEnds] {
+        &self.ends
+    }
+
+    pub(super) fn place(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
         match self.kind {
-            SlitKind::Disk => self.map.within(w, f64::NEG_INFINITY, 0.0),
-            SlitKind::Annulus { hole } => self.map.within(w, constants[0] - constants[hole + 1], 0.0),
+            SlitKind::Disk | SlitKind::Annulus { .. } => {
+                let (low, high) = strip_of(self.map.field(), self.kind);
+                self.map.within(w, low, high)
+            }
             SlitKind::Parallel { .. } | SlitKind::Radial { .. } => self.map.inverse(w),
         }
+    }
+}
+
+/// Between what log|w| lies; of parallel slits, Re w.
+fn strip_of(field: &DomainField, kind: SlitKind) -> (f64, f64) {
+    let constants = field.constants();
+    match kind {
+        SlitKind::Disk => (f64::NEG_INFINITY, 0.0),
+        SlitKind::Annulus { hole } => (constants[0] - constants[hole + 1], 0.0),
+        SlitKind::Parallel { .. } | SlitKind::Radial { .. } => (f64::NEG_INFINITY, f64::INFINITY),
     }
 }
 
@@ -208,34 +245,32 @@ fn regular_part(field: &DomainField, factor: Complex64, center: Complex64) -> Co
     parts.sum::<Complex64>() / f64::from(POINTS)
 }
 
-/// The slits that components go to.
-fn slits(field: &DomainField, kind: SlitKind, form: &Form) -> Vec<Slit> {
+/// The ends of the slits that components go to.
+fn ends(map: &Canonical, kind: SlitKind) -> Vec<SlitEnds> {
     let is_slit = |component: usize| match kind {
         SlitKind::Disk => component > 0,
         SlitKind::Annulus { hole } => component > 0 && component != hole + 1,
         SlitKind::Parallel { .. } | SlitKind::Radial { .. } => true,
     };
-    let count = field.domain().contours().len();
-    (0..count).filter(|&component| is_slit(component)).map(|component| slit(field, component, form)).collect()
+    let count = map.domain().contours().len();
+    (0..count).filter(|&component| is_slit(component)).map(|component| ends_of(map, component)).collect()
 }
 
 /// Im B goes up and down once around a slit: its ends are the extremes.
-fn slit(field: &DomainField, component: usize, form: &Form) -> Slit {
-    let along = |place: f64| field.on_boundary(field.domain().place_along(component, place)).0;
-    let edges = field.domain().contours()[component].polygon().len();
+fn ends_of(map: &Canonical, component: usize) -> SlitEnds {
+    let point = |place: f64| map.domain().place_along(component, place);
+    let edges = map.domain().contours()[component].polygon().len();
     let extreme = |sign: f64| {
         const SAMPLES: usize = 16;
         let places = (0..edges * SAMPLES).map(|k| k as f64 / SAMPLES as f64);
-        let value = |place: f64| sign * along(place).im;
+        let value = |place: f64| sign * map.field().on_boundary(point(place)).0.im;
         let best = places.max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap_or(0.0);
-        along(peak(&value, best - 1.0 / SAMPLES as f64, best + 1.0 / SAMPLES as f64))
+        peak(&value, best - 1.0 / SAMPLES as f64, best + 1.0 / SAMPLES as f64)
     };
-    let image = |value: Complex64| {
-        let key = form.factor * value + form.shift;
-        if form.exponential { key.exp() } else { key }
-    };
-    Slit { ends: [image(extreme(1.0)), image(extreme(-1.0))] }
+    let places = [extreme(1.0), extreme(-1.0)];
+    SlitEnds { component, places, keys: places.map(|place| map.key_on_boundary(point(place)).0) }
 }
 
 evidence_methods!(SlitMap, "of log w; of parallel slits, of w in units of the domain's size or its inverse.");
 two_ways!(SlitMap);
+prepared!(SlitMap);

@@ -110,7 +110,8 @@ impl Solved {
         }
     }
 
-    /// The function B of a sum of problems, each with its weight. At most one of them may have a source, with weight 1.
+    /// The function B of a sum of problems, each with its weight. Streams may be added up; of other sources there may be one, with
+    /// weight 1.
     #[must_use]
     pub fn field(&self, weights: &[f64]) -> DomainField {
         let problems = match &self.solutions {
@@ -118,10 +119,7 @@ impl Solved {
             Solutions::Smooth(adapted) => &adapted.problems,
         };
         let used = problems.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
-        let source = used
-            .map(|(problem, _)| problem.source)
-            .find(|source| *source != Source::Nothing)
-            .unwrap_or(Source::Nothing);
+        let source = used.fold(Source::Nothing, |sum, (problem, weight)| sum.and(problem.source, *weight));
         let sum = |part: &dyn Fn(usize) -> Vec<f64>| {
             let mut sum = part(0).iter().map(|x| x * weights[0]).collect::<Vec<f64>>();
             for (k, weight) in weights.iter().enumerate().skip(1) {
@@ -143,6 +141,7 @@ impl Solved {
                 super::field::Kind::Smooth(field)
             }
         };
-        DomainField::new(Arc::clone(&self.domain), self.scale.origin, self.scale.unit, field)
+        let Scale { origin, unit } = self.scale;
+        DomainField::new(Arc::clone(&self.domain), origin, unit, field, self.evidence.error_estimate)
     }
 }

@@ -1,11 +1,14 @@
 //! Regions with holes, and the outside of bodies.
 
 mod annulus;
+mod circles;
 mod estimate;
+mod evaluation;
 mod exterior;
 mod flow;
 mod independent;
 mod joined;
+mod lines;
 mod opened;
 mod slits;
 

@@ -66,10 +66,9 @@ function solve() {
     (/** @type {Answer | null} */ answer) => {
       if (!answer) return;
       const field = new GridField(GRID, answer.potential);
-      field.differentiate();
       field.fill((k) => potentialAt(placeOf(GRID, k)));
       solved = { field, answer };
-      view.prepare(field, answer.seeds, Math.max(...potentials.map(Math.abs)));
+      view.prepare(field, answer, Math.max(...potentials.map(Math.abs)));
       draw();
       tell(answer);
       statusOfPage.onState("ready", "");

@@ -1,7 +1,6 @@
 // The picture of a field: the potential as colour, lines of equal potential, lines of force, conductors.
 
-import { scaleOf, toPixels } from "../common/frame.js";
-import { levelPieces } from "../flow/levels.js";
+import { toPixels } from "../common/frame.js";
 import { Sheet } from "../flow/sheet.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -9,53 +8,26 @@ import { Sheet } from "../flow/sheet.js";
 /** @typedef {{ outline: Point[], potential: number, around: boolean }} Drawn a conductor */
 /** @typedef {{ potential: boolean, levels: boolean, lines: boolean }} Shown */
 
-/** Steps of a line of force, in cells of the grid, and how many there are at most. */
-const STEP = 0.5;
-const STEPS = 1500;
-/** Lines of equal potential between the lowest and the highest. */
-const LEVELS = 21;
 /** Of the lowest potential, of zero, and of the highest. @type {import("../flow/sheet.js").Scale} */
 const COLOURS = {
   light: [[52, 98, 200], [250, 249, 246], [206, 62, 52]],
   dark: [[60, 112, 230], [24, 27, 33], [222, 84, 70]],
 };
 
-/** A line of force from a point on; it ends at a wall or the picture's edge. @param {GridField} field @param {Point} from @returns {Point[]} */
-export function lineOfForce(field, from) {
-  const step = STEP / scaleOf(field.grid);
-  const line = [from];
-  for (let k = 0; k < STEPS; k++) {
-    const [x, y] = line[line.length - 1];
-    const first = downhill(field, [x, y]);
-    if (!first) break;
-    const middle = downhill(field, [x + (step / 2) * first[0], y + (step / 2) * first[1]]);
-    if (!middle) break;
-    line.push([x + step * middle[0], y + step * middle[1]]);
-  }
-  return line;
-}
-
-/** The direction in which the potential falls. @param {GridField} field @param {Point} at @returns {Point | null} */
-function downhill(field, at) {
-  const slopes = field.slopes(at);
-  const length = slopes ? Math.hypot(...slopes) : 0;
-  return slopes && length > 0 ? [-slopes[0] / length, -slopes[1] / length] : null;
-}
-
 export class ElectricView {
   #sheet;
-  /** @type {Point[][]} */ #lines = [];
-  /** @type {number[]} */ #pieces = [];
+  /** @type {Point[][]} */ #equal = [];
+  /** @type {Point[][]} */ #force = [];
 
   /** @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
     this.#sheet = new Sheet(canvas);
   }
 
-  /** @param {GridField} field @param {Point[]} seeds @param {number} highest the largest potential, without its sign */
-  prepare(field, seeds, highest) {
-    this.#lines = seeds.map((seed) => lineOfForce(field, seed));
-    this.#pieces = levelPieces(field.values, field.grid, Array.from({ length: LEVELS }, (_, k) => highest * ((2 * (k + 0.5)) / LEVELS - 1)));
+  /** @param {GridField} field @param {import("./answers.js").Answer} answer @param {number} highest the largest potential, without its sign */
+  prepare(field, { equal, force }, highest) {
+    this.#equal = equal;
+    this.#force = force;
     this.#sheet.colour(field.grid, Float32Array.from(field.values, (value) => Math.max(-1, Math.min(1, value / (highest || 1)))), COLOURS);
   }
 
@@ -66,8 +38,8 @@ export class ElectricView {
     const shield = drawn.find(({ around }) => around);
     if (shield) sheet.within(shield.outline);
     if (shown.potential) sheet.lay();
-    if (shown.levels) sheet.pieces(this.#pieces, grid, 1, 0.4);
-    if (shown.lines) sheet.lines(this.#lines, 1.6, 0.85);
+    if (shown.levels) sheet.lines(this.#equal, 1, 0.4);
+    if (shown.lines) sheet.lines(this.#force, 1.6, 0.85);
     if (shield) context.restore();
     for (const { outline, potential, around } of drawn) {
       sheet.outline(outline, !around);

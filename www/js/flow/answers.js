@@ -1,9 +1,10 @@
 // What the page of flows asks the package: flows to be added up, on a grid of points.
 
 import { PotentialFlow, Region } from "../../pkg/index.js";
-import { flatten } from "../common/frame.js";
+import { flatten, unflatten } from "../common/frame.js";
 import { chosenFrom } from "../editor/read-outline.js";
 import { pointsOf } from "./grid-field.js";
+import { pointsOfLines } from "./level-lines.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./bodies.js").Bodies} Bodies */
@@ -18,24 +19,44 @@ import { pointsOf } from "./grid-field.js";
  * @property {number} unknowns
  * @property {number} ms
  */
-/** @typedef {{ what: "basis", bodies: Bodies, grid: Frame } | { what: "outline", text: string }} Question */
+/**
+ * Streamlines of the flow past the bodies whose basis was asked for last, and the points where it rests.
+ * @typedef {{ lines: Point[][], resting: Point[] }} Traced
+ */
+/** @typedef {{ what: "lines", angle: number, circulation: number[], levels: number[], frame: Frame }} LinesQuestion */
+/** @typedef {{ what: "basis", bodies: Bodies, grid: Frame } | LinesQuestion | { what: "outline", text: string }} Question */
 
 /** For a picture; the estimate is shown. */
 const TOLERANCE = 1e-3;
 
+/** The flow of the last basis. @type {PotentialFlow | null} */
+let kept = null;
+
 /** @param {Question} question @returns {any} */
 export function answer(question) {
-  return question.what === "outline" ? chosenFrom(question.text) : basis(question.bodies, question.grid);
+  if (question.what === "outline") return chosenFrom(question.text);
+  return question.what === "lines" ? traced(question) : basis(question.bodies, question.grid);
+}
+
+/** @param {LinesQuestion} question @returns {Traced | null} */
+function traced({ angle, circulation, levels, frame }) {
+  if (!kept) return null;
+  const flow = kept.again({ angle, circulation });
+  const lines = pointsOfLines(flow.levelLines("streamlines", Float64Array.from(levels), frame));
+  const resting = [...unflatten(flow.stagnationPoints), ...unflatten(flow.freeStagnationPoints(frame))];
+  flow.free();
+  return { lines, resting };
 }
 
 /** @param {Bodies} bodies @param {Frame} grid @returns {Basis} */
 function basis({ outlines, curve, trailing }, grid) {
   const begin = performance.now();
   const region = Region.exterior({ holes: outlines.map(flatten), curve });
-  /** @param {number} angle @param {number[] | "kutta"} circulation */
-  const flow = (angle, circulation) => PotentialFlow.past(region, { angle, circulation, ...(trailing && { trailing }) }, { tolerance: TOLERANCE });
   const still = outlines.map(() => 0);
-  const winds = [flow(0, still), flow(Math.PI / 2, still)];
+  const solved = PotentialFlow.past(region, { circulation: still }, { tolerance: TOLERANCE });
+  /** @param {number} angle @param {number[] | "kutta"} circulation */
+  const flow = (angle, circulation) => solved.again({ angle, circulation, ...(trailing && { trailing }) });
+  const winds = [solved, flow(Math.PI / 2, still)];
   const turnings = outlines.map((_, k) => flow(0, still.map((_, j) => (j === k ? 1 : 0))));
   const leaving = trailing && [flow(0, "kutta"), flow(Math.PI / 2, "kutta")];
   const points = pointsOf(grid);
@@ -44,7 +65,9 @@ function basis({ outlines, curve, trailing }, grid) {
   const turned = turnings.map((turning) => difference(sampled(turning, points, walls), along));
   const [{ errorEstimate, unknowns }] = winds;
   const kutta = leaving && /** @type {[number[], number[]]} */ (leaving.map(({ circulation }) => [...circulation]));
-  for (const each of [...winds, ...turnings, ...(leaving ?? [])]) each.free();
+  kept?.free();
+  kept = solved;
+  for (const each of [winds[1], ...turnings, ...(leaving ?? [])]) each.free();
   region.free();
   return { flows: [along, across, ...turned], kutta, estimate: errorEstimate, unknowns, ms: performance.now() - begin };
 }

@@ -5,7 +5,7 @@ import { placeOf } from "./grid-field.js";
 import { Particles } from "./particles.js";
 import { restingPoints } from "./resting.js";
 import { readState, writeState } from "./state.js";
-import { FlowView } from "./view.js";
+import { FlowView, levelsOf } from "./view.js";
 import { Wind } from "./wind.js";
 import { Courier } from "../common/courier.js";
 import { toPlane } from "../common/frame.js";
@@ -101,6 +101,23 @@ function turn() {
   view.prepare(wind, state);
   draw();
   read();
+  trace(wind);
+}
+
+/** The streamlines and points of rest as the map has them, when the wind keeps still long enough. @param {Wind} of */
+function trace(of) {
+  const { angle, bodies, frame } = { angle: state.angle, bodies: shownBodies(), frame: COARSE };
+  const question = { what: "lines", angle: (angle * Math.PI) / 180, circulation: of.circulation, levels: levelsOf(of), frame };
+  courier.ask("lines", question).then(
+    (/** @type {import("./answers.js").Traced | null} */ found) => {
+      if (!found || of !== wind || bodies !== shownBodies() || angle !== state.angle || question.circulation !== of.circulation) return;
+      view.take(found.lines);
+      resting = found.resting;
+      draw();
+    },
+    // The lines of the grid stay.
+    () => {},
+  );
 }
 
 function draw() {

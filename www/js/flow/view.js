@@ -21,6 +21,7 @@ const COLOURS = {
 export class FlowView {
   #sheet;
   /** @type {number[]} */ #pieces = [];
+  /** Traced ones, which take the pieces' place. @type {Point[][] | null} */ #lines = null;
 
   /** @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
@@ -30,7 +31,13 @@ export class FlowView {
   /** Prepares what changes with the wind alone. @param {Wind} wind @param {Shown} shown */
   prepare(wind, shown) {
     if (shown.pressure) this.#sheet.colour(wind.grid, coefficients(wind).map(shareOf), COLOURS);
+    this.#lines = null;
     this.#pieces = shown.lines ? levelPieces(wind.values, wind.grid, levelsOf(wind)) : [];
+  }
+
+  /** Streamlines that were traced for the wind that was prepared. @param {Point[][]} lines */
+  take(lines) {
+    this.#lines = lines;
   }
 
   /** @param {Wind} wind @param {Point[][]} outlines @param {Shown} shown @param {Point[][]} trails @param {Point[]} resting where the fluid rests */
@@ -38,7 +45,8 @@ export class FlowView {
     const sheet = this.#sheet;
     const { context, frame, density } = sheet.begin(grid);
     if (shown.pressure) sheet.lay();
-    if (shown.lines) sheet.pieces(this.#pieces, grid, 1.1, 0.5);
+    if (shown.lines && this.#lines) sheet.lines(this.#lines, 1.1, 0.5);
+    else if (shown.lines) sheet.pieces(this.#pieces, grid, 1.1, 0.5);
     if (shown.specks) {
       // Trails fade: their older half is drawn faintly.
       sheet.lines(trails, 1.3, 0.2);
@@ -64,7 +72,7 @@ export class FlowView {
 const shareOf = (coefficient) => Math.sign(coefficient) * Math.min(1, Math.abs(coefficient) / (coefficient > 0 ? 1 : STRONGEST)) ** 0.8;
 
 /** Stream functions at equal distances, through that of each body: its lines are those that part there. @param {Wind} wind */
-function levelsOf({ values, grid, walls }) {
+export function levelsOf({ values, grid, walls }) {
   let [low, high] = [Infinity, -Infinity];
   for (const value of values) {
     if (value < low) low = value;
