@@ -66,6 +66,20 @@ export class Member {
     return this.#ask({ task }, progress);
   }
 
+  /**
+   * Makes an object from its bytes as soon as they are there, and nothing else before.
+   *
+   * @param {string} name of its class
+   * @param {number} kept
+   * @param {Promise<Uint8Array>} bytes
+   */
+  receive(name, kept, bytes) {
+    const received = this.#ask({ awaits: kept, task: { kind: "static", name, key: "fromBytes", args: [], keep: kept } });
+    const give = (/** @type {Uint8Array | undefined} */ value) => this.#line.post({ gives: kept, value });
+    bytes.then(give, () => give(undefined));
+    return received;
+  }
+
   /** @param {number} kept */
   free(kept) {
     this.#line.post({ free: kept });

@@ -14,8 +14,38 @@ const objects = new Map();
 const post = (/** @type {unknown} */ message, /** @type {any[]} */ transfer = []) =>
   port ? port.postMessage(message, transfer) : /** @type {any} */ (globalThis).postMessage(message, transfer);
 
-/** @param {{ id: number, module?: WebAssembly.Module, task?: Task, free?: number }} message */
-async function hear({ id, module, task, free }) {
+/**
+ * `awaits`: the task's argument comes in a message that `gives` it; what is asked later is done after it.
+ *
+ * @typedef {{ id: number, module?: WebAssembly.Module, task?: Task, free?: number, awaits?: number, gives?: number, value?: unknown }} Message
+ */
+
+/** What is awaited or given, by number. @type {Map<number, { given: Promise<unknown>, give(value: unknown): void }>} */
+const gifts = new Map();
+
+/** @param {number} kept */
+function gift(kept) {
+  const known = gifts.get(kept);
+  if (known) return known;
+  /** @type {(value: unknown) => void} */
+  let give = () => undefined;
+  const given = new Promise((resolve) => (give = resolve));
+  const made = { given, give };
+  gifts.set(kept, made);
+  return made;
+}
+
+/** The end of what is being done. */
+let last = Promise.resolve();
+
+/** @param {Message} message */
+function hear(message) {
+  if (message.gives !== undefined) gift(message.gives).give(message.value);
+  else last = last.then(() => answer(message));
+}
+
+/** @param {Message} message */
+async function answer({ id, module, task, free, awaits }) {
   if (free !== undefined) {
     objects.get(free)?.free();
     objects.delete(free);
@@ -23,6 +53,7 @@ async function hear({ id, module, task, free }) {
   }
   try {
     if (module) await init(module);
+    if (task && awaits !== undefined) task.args = [await received(awaits)];
     const value = task && perform(id, task);
     post({ id, value }, ArrayBuffer.isView(value) ? [value.buffer] : []);
   } catch (/** @type {any} */ error) {
@@ -46,10 +77,20 @@ function perform(id, { kind, name, key = "", self, args, keep, cancel, progress 
 }
 
 /** @param {number} kept */
+async function received(kept) {
+  const value = await gift(kept).given;
+  gifts.delete(kept);
+  return value ?? missing();
+}
+
+/** @param {number} kept */
 function found(kept) {
-  const object = objects.get(kept);
-  if (!object) throw Object.assign(new Error("An object of the pool was freed, or could not be made."), { code: "freed" });
-  return object;
+  return objects.get(kept) ?? missing();
+}
+
+/** @returns {never} */
+function missing() {
+  throw Object.assign(new Error("An object of the pool was freed, or could not be made."), { code: "freed" });
 }
 
 /**

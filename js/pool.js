@@ -1,7 +1,8 @@
 // A pool of workers with the package's own classes, whose methods return promises.
 //
-// Objects exist once in each worker, made there by the same calls, which give the same bits; pictures are drawn in bands of
-// rows and many points in parts, one for each worker. Only finished bands travel, and they are handed over, not copied.
+// Objects exist once in each worker, made there by the same calls, which give the same bits, or, where one solve is enough, sent
+// there as bytes. Pictures are drawn in bands of rows and many points in parts, one for each worker. Only finished bands travel,
+// and they are handed over, not copied.
 
 import { Member, usualCount } from "./crew.js";
 import { failure } from "./failure.js";
@@ -15,6 +16,8 @@ import { builtin } from "./source.js";
 
 /** The handle behind an object of the pool's. @type {WeakMap<object, Handle>} */
 const handles = new WeakMap();
+/** Calls that take long, and whose result can travel. */
+const SOLVES = new Set(["solve", "withCenter"]);
 /** Fewer points than this are not worth dividing. */
 const PART = 1 << 14;
 
@@ -94,14 +97,32 @@ class Pool {
   #make(name, task, bands) {
     const kept = this.#next++;
     const call = this.#read(task);
-    const progress = call.progress;
-    const made = this.members.map((member, k) =>
-      member.run({ ...call.task, keep: kept, args: withRows(call.task.args, bands?.[k]) }, k === 0 ? progress : undefined),
-    );
+    const { progress } = call;
+    const isSolve = SOLVES.has(task.key ?? "") && "fromBytes" in /** @type {any} */ (calls)[name].static;
+    const made = isSolve
+      ? this.#solve(name, { ...call.task, keep: kept }, progress)
+      : this.members.map((member, k) =>
+          member.run({ ...call.task, keep: kept, args: withRows(call.task.args, bands?.[k]) }, k === 0 ? progress : undefined),
+        );
     const ready = call.untilAborted(Promise.all(made).then(() => undefined));
     // Who does not look at `ready` hears of it from the first thing asked.
     ready.catch(() => undefined);
     return this.#object({ kept, name, bands }, ready);
+  }
+
+  /**
+   * The first worker solves, and the others get its map: none of them takes up what it is asked later before.
+   *
+   * @param {string} name of the class
+   * @param {Task & { keep: number }} task
+   * @param {(stage: string, fraction: number) => void} [progress]
+   */
+  #solve(name, task, progress) {
+    const [first, ...others] = this.members;
+    const solved = first.run(task, progress);
+    if (others.length === 0) return [solved];
+    const bytes = first.run({ kind: "method", name, key: "toBytes", self: task.keep, args: [] });
+    return [solved, ...others.map((member) => member.receive(name, task.keep, bytes))];
   }
 
   /**

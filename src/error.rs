@@ -254,6 +254,30 @@ pub enum Error {
         /// That of the second.
         second: f64,
     },
+    /// Bytes that hold something else than the map asked for.
+    #[error("These bytes do not hold {expected} that was stored; they hold {found}.")]
+    NotStored {
+        /// The map asked for.
+        expected: &'static str,
+        /// What it is instead.
+        found: &'static str,
+    },
+    /// A map stored in a form that this version does not know.
+    #[error(
+        "This map was stored in format {found}, and this version reads format {known}: read it with the version that stored it, or make the map anew."
+    )]
+    OtherFormat {
+        /// The bytes' format.
+        found: u16,
+        /// The format that can be read.
+        known: u16,
+    },
+    /// A stored map that is not whole.
+    #[error("The stored map is damaged: {reason}. Make the map anew.")]
+    Damaged {
+        /// What shows it.
+        reason: &'static str,
+    },
     /// The caller's progress function asked to stop.
     #[error("The computation was cancelled.")]
     Cancelled,
@@ -293,6 +317,9 @@ impl Error {
             Self::UnknownParameter { .. } => "unknown-parameter",
             Self::InvalidMap { .. } => "invalid-map",
             Self::DifferentModuli { .. } => "different-moduli",
+            Self::NotStored { .. } => "not-stored",
+            Self::OtherFormat { .. } => "other-format",
+            Self::Damaged { .. } => "damaged",
             Self::Cancelled => "cancelled",
         }
     }

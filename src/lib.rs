@@ -53,6 +53,7 @@ pub mod mesh;
 pub mod plane;
 pub mod presets;
 pub mod riemann;
+mod stored;
 pub mod symm;
 pub mod warp;
 #[cfg(target_arch = "wasm32")]

@@ -17,6 +17,7 @@ mod special;
 
 use crate::map::{Jet, PlaneMap};
 use crate::plane::Complex64;
+use crate::stored::{Kind, read, written};
 use crate::{Error, Result};
 use program::Program;
 
@@ -65,6 +66,9 @@ pub struct FormulaMap {
     fixed: Vec<Complex64>,
 }
 
+/// A formula of the largest length names fewer.
+const MOST_STORED_PARAMETERS: usize = 5000;
+
 impl FormulaMap {
     /// A map from a formula in z alone.
     ///
@@ -92,6 +96,36 @@ impl FormulaMap {
         let values: Vec<Complex64> = params.iter().map(|&(_, value)| value).collect();
         let fixed = program.bind(&values);
         Ok(Self { text: text.to_string(), names, values, program, fixed })
+    }
+
+    /// The text and the parameters' present values as bytes, from which [`FormulaMap::from_bytes`] makes the same map.
+    #[must_use]
+    pub fn to_bytes(&self) -> Vec<u8> {
+        written(Kind::Formula, |to| {
+            to.text(&self.text);
+            to.count(self.names.len());
+            for (name, value) in self.params() {
+                to.text(name);
+                to.point(value);
+            }
+        })
+    }
+
+    /// The map that [`FormulaMap::to_bytes`] stored.
+    ///
+    /// # Errors
+    /// [`Error::NotStored`], [`Error::OtherFormat`], [`Error::Damaged`], and those of [`FormulaMap::with_params`] for bytes that
+    /// somebody made up.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+        read(Kind::Formula, bytes, |from| {
+            let text = from.text()?;
+            let count = from.count(size_of::<u32>() + size_of::<Complex64>())?;
+            if count > MOST_STORED_PARAMETERS {
+                return Err(Error::Damaged { reason: "it has more parameters than a formula can name" });
+            }
+            let params = (0..count).map(|_| Ok((from.text()?, from.point()?))).collect::<Result<Vec<_>>>()?;
+            Self::with_params(text, &params)
+        })
     }
 
     /// The names that a formula uses and that mean nothing by themselves, in the order in which they first appear: what

@@ -2,6 +2,7 @@
 
 use super::contour::{Contour, Curve};
 use super::{BoundaryPoint, Complex64, Polygon, SmoothCurve};
+use crate::stored::{Reader, Writer};
 use crate::{Error, Result};
 use std::sync::Arc;
 
@@ -56,6 +57,35 @@ impl Region {
         let origin = self.polygon().origin();
         let toward = BoundaryPoint { point: self.toward.point - origin, ..self.toward };
         (origin, Self { contour: self.contour.moved(-origin), center: self.center - origin, toward })
+    }
+
+    /// Writes what [`Region::restore`] reads.
+    pub(crate) fn store(&self, to: &mut Writer) {
+        to.case(u8::from(self.curve() == Curve::Smooth));
+        to.points(self.smooth().map_or(self.boundary(), |curve| curve.points()));
+        to.point(self.center);
+        to.count(self.toward.edge);
+        to.number(self.toward.t);
+        to.point(self.toward.point);
+    }
+
+    /// The same region to the bit, as [`Region::store`] wrote it, checked as a new one is.
+    ///
+    /// # Errors
+    /// [`Error::Damaged`], and those of [`Region::new`].
+    pub(crate) fn restore(from: &mut Reader) -> Result<Self> {
+        let curve = if from.case()? == 0 { Curve::Polygon } else { Curve::Smooth };
+        let boundary = from.points()?;
+        let center = from.point()?;
+        let toward = BoundaryPoint { edge: from.index(boundary.len())?, t: from.number()?, point: from.point()? };
+        let region = Self::new(&boundary, curve, center, toward.point)?;
+        let is_whole = region.polygon().len() == boundary.len() && region.boundary() == boundary;
+        let is_there = (0.0..=1.0).contains(&toward.t) && region.on_boundary(toward.point).is_some();
+        if is_whole && is_there {
+            Ok(Self { toward, ..region })
+        } else {
+            Err(Error::Damaged { reason: "its boundary is not as a region has it" })
+        }
     }
 
     /// The boundary points in plane units, counter-clockwise.

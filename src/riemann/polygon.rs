@@ -4,6 +4,7 @@ use super::atlas::{DiskPoint, Expansions, Found, Position};
 use super::rounding::onto_disk;
 use super::solved_region::{Evidence, SolvedRegion};
 use crate::plane::{BoundaryPoint, Complex64, Region};
+use crate::stored::{Reader, Writer};
 use crate::symm::center::move_center;
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::solution::Solution;
@@ -37,6 +38,16 @@ impl SolvedPolygon {
     pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Result<Self> {
         let (origin, region) = region.local();
         let solution = solve(&region, options, progress)?;
+        Self::new(origin, region, solution, options)
+    }
+
+    /// Reads what [`SolvedRegion::store`] wrote.
+    ///
+    /// # Errors
+    /// [`Error::Damaged`], [`Error::Inaccurate`].
+    pub fn restore(region: &Region, options: &SolveOptions, from: &mut Reader) -> Result<Self> {
+        let (origin, region) = region.local();
+        let solution = Solution::restore(&region, from)?;
         Self::new(origin, region, solution, options)
     }
 
@@ -223,6 +234,10 @@ impl SolvedRegion for SolvedPolygon {
             let _ = self.expansions.set(built);
         }
         self.expansions().prepare(progress)
+    }
+
+    fn store(&self, to: &mut Writer) {
+        self.solution.store(to);
     }
 
     fn bytes(&self) -> usize {

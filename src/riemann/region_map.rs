@@ -5,6 +5,7 @@ use super::atlas::Passage;
 use super::doubt::Doubt;
 use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap, pointwise};
 use crate::plane::{BoundaryPoint, Complex64};
+use crate::stored::{Kind, read, written};
 use crate::{Error, Result};
 use std::sync::{Arc, OnceLock};
 
@@ -59,6 +60,23 @@ impl RegionMap {
     #[must_use]
     pub fn between(a: &RiemannMap, b: &RiemannMap) -> Self {
         Self { a: a.clone(), b: b.clone(), joint: Arc::default() }
+    }
+
+    /// Both maps as bytes, from which [`RegionMap::from_bytes`] makes the same map, to the bit, without solving.
+    #[must_use]
+    pub fn to_bytes(&self) -> Vec<u8> {
+        written(Kind::Region, |to| [&self.a, &self.b].into_iter().for_each(|map| map.store(to)))
+    }
+
+    /// The map that [`RegionMap::to_bytes`] stored.
+    ///
+    /// # Errors
+    /// As [`RiemannMap::from_bytes`].
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+        read(Kind::Region, bytes, |from| {
+            let (a, b) = (RiemannMap::restore(from)?, RiemannMap::restore(from)?);
+            Ok(Self::between(&a, &b))
+        })
     }
 
     /// The map of the region it comes from.

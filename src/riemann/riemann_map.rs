@@ -7,7 +7,8 @@ use super::smooth::SolvedCurve;
 use super::solved_region::{NOWHERE, SolvedRegion};
 use crate::Result;
 use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap};
-use crate::plane::{BoundaryPoint, Complex64, Region};
+use crate::plane::{BoundaryPoint, Complex64, Curve, Region};
+use crate::stored::{Kind, Reader, Writer, read, written};
 use crate::symm::correspondence::angle_of_measure;
 use crate::symm::options::{Progress, SolveOptions, Stop};
 use std::f64::consts::TAU;
@@ -66,6 +67,53 @@ impl RiemannMap {
             self.solved.with_center(center, &self.options, progress)?
         };
         Ok(Self::new(region, &self.options, solved))
+    }
+
+    /// The solved map as bytes: the region, the options and the solution, from which [`RiemannMap::from_bytes`] makes the same
+    /// map, to the bit, without solving. About as many as the solve had unknowns, times eight; an evaluator is not among them.
+    ///
+    /// ```
+    /// use conformal_warp::{Complex64, Curve, Region, RiemannMap, SolveOptions};
+    /// let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Complex64::new(x, y));
+    /// let region = Region::new(&square, Curve::Polygon, Complex64::new(0.0, 0.0), square[0])?;
+    /// let map = RiemannMap::solve(&region, &SolveOptions::default(), &mut |_, _| true)?;
+    /// let again = RiemannMap::from_bytes(&map.to_bytes())?;
+    /// let z = [Complex64::new(0.9, -0.3)];
+    /// assert_eq!(again.to_disk(&z), map.to_disk(&z));
+    /// # Ok::<(), conformal_warp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn to_bytes(&self) -> Vec<u8> {
+        written(Kind::Riemann, |to| self.store(to))
+    }
+
+    /// The map that [`RiemannMap::to_bytes`] stored, by this version or an older one.
+    ///
+    /// The bytes may come from anywhere: what is not a whole map, unchanged, is refused. No array is made that is longer than
+    /// the bytes bear out; altogether it takes no more memory than solving for a region of so many vertices. The system that
+    /// [`RiemannMap::with_center`] needs is assembled when that is first called.
+    ///
+    /// # Errors
+    /// [`Error::NotStored`](crate::Error::NotStored), [`Error::OtherFormat`](crate::Error::OtherFormat),
+    /// [`Error::Damaged`](crate::Error::Damaged), and those of [`Region::new`] for bytes that somebody made up.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+        read(Kind::Riemann, bytes, Self::restore)
+    }
+
+    pub(super) fn store(&self, to: &mut Writer) {
+        self.region.store(to);
+        self.options.store(to);
+        self.solved.store(to);
+    }
+
+    pub(super) fn restore(from: &mut Reader) -> Result<Self> {
+        let region = Region::restore(from)?;
+        let options = SolveOptions::restore(from)?;
+        let solved: Arc<dyn SolvedRegion> = match region.curve() {
+            Curve::Smooth => Arc::new(SolvedCurve::restore(&region, from)?),
+            Curve::Polygon => Arc::new(SolvedPolygon::restore(&region, &options, from)?),
+        };
+        Ok(Self::new(region, &options, solved))
     }
 
     fn new(region: Region, options: &SolveOptions, solved: Arc<dyn SolvedRegion>) -> Self {

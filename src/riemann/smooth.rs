@@ -5,6 +5,7 @@ use super::rounding::{is_on_circle, is_outside_disk, onto_disk};
 use super::solved_region::{Evidence, SolvedRegion};
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64, Region};
+use crate::stored::{Reader, Writer};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::smooth::{SmoothSolution, solve_smooth};
 use std::f64::consts::TAU;
@@ -30,6 +31,16 @@ impl SolvedCurve {
         let solution = solve_smooth(curve, region.center(), options, progress)?;
         Ok(Some(Self { origin, region, solution }))
     }
+
+    /// Reads what [`SolvedRegion::store`] wrote.
+    ///
+    /// # Errors
+    /// As [`SmoothSolution::restore`].
+    pub fn restore(region: &Region, from: &mut Reader) -> Result<Self> {
+        let (origin, region) = region.local();
+        let solution = SmoothSolution::restore(&region, from)?;
+        Ok(Self { origin, region, solution })
+    }
 }
 
 impl SolvedRegion for SolvedCurve {
@@ -54,7 +65,7 @@ impl SolvedRegion for SolvedCurve {
         progress: Progress,
     ) -> Result<Arc<dyn SolvedRegion>> {
         let region = self.region.with_center(center - self.origin, self.region.toward().point)?;
-        let mut solution = self.solution.moved(region.center(), options.tolerance);
+        let mut solution = self.solution.moved(region.center(), options.tolerance, progress)?;
         if let (Some(curve), true) = (region.smooth(), solution.needs_nodes(options.tolerance)) {
             solution = solve_smooth(curve, region.center(), options, progress)?;
         }
@@ -114,5 +125,9 @@ impl SolvedRegion for SolvedCurve {
         }
         let z = self.from_disk(point)?;
         Some((z, self.solution.to_disk(z - self.origin).1.inv()))
+    }
+
+    fn store(&self, to: &mut Writer) {
+        self.solution.store(to);
     }
 }

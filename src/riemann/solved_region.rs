@@ -6,6 +6,7 @@ use super::rounding::onto_disk;
 use crate::Result;
 use crate::map::{Jet, pointwise};
 use crate::plane::{BoundaryPoint, Complex64};
+use crate::stored::Writer;
 use crate::symm::options::{Progress, SolveOptions};
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -133,6 +134,9 @@ pub(super) trait SolvedRegion: Debug + Send + Sync {
     fn prepare(&self, _: Progress) -> Result<()> {
         Ok(())
     }
+
+    /// Writes the solution, from which and the region, center and options it can be restored.
+    fn store(&self, to: &mut Writer);
 
     /// Bytes of memory that this took so far, about.
     fn bytes(&self) -> usize {

@@ -6,7 +6,6 @@ use super::solution::{ERROR_PER_RESIDUAL, Solution, estimate_of, finish};
 use crate::Result;
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
-use std::sync::Arc;
 
 /// The linear system is solved to this share of the acceptable residual: less than for a first solve, since the guess is
 /// already good where thin slots would need more.
@@ -22,7 +21,7 @@ pub fn move_center(
     options: &SolveOptions,
     progress: Progress,
 ) -> Result<Solution> {
-    let system = Arc::clone(&previous.system);
+    let system = previous.system(progress)?;
     let center = center * system.discretisation.boundary.unit;
     let problem = Problem::measure(&system.discretisation.boundary, center);
     let mut outcome = system.check(&problem, moved_measure(previous, center));

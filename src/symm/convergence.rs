@@ -1,11 +1,9 @@
 //! How fast the error falls: exponentially with the degree, algebraically with the number of panels.
 
-use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::Discretisation;
 use super::options::{SolveOptions, Stop};
 use super::order::Order;
 use super::panel::{Boundary, Panel, initial_panels};
-use super::potential::LogPotential;
 use super::problem::Problem;
 use super::rule::Rules;
 use super::solution::Solution;
@@ -46,16 +44,8 @@ fn error_with(region: &Region, reference: &Solution, panels: Vec<Panel>, p: usiz
     let system = System::new(discretisation, &mut |_, _| true)?;
     let problem = Problem::measure(&system.discretisation.boundary, center);
     let outcome = system.solve(&problem, 1e-16, None, &mut |_, _| true)?;
-    let solution = Solution {
-        correspondence: BoundaryCorrespondence::new(&system.discretisation, &outcome.masses),
-        potential: LogPotential::new(&outcome.masses),
-        residual: outcome.residual(),
-        error_estimate: f64::NAN,
-        stop: Stop::SamePanels,
-        system: Arc::new(system),
-        center,
-        masses: outcome.masses,
-    };
+    let (residual, masses) = (outcome.residual(), outcome.masses);
+    let solution = Solution::new(system.discretisation, center, masses, residual, f64::NAN, Stop::SamePanels);
     let error = |point| {
         let turns: f64 = solution.measure_at(point) - reference.measure_at(point);
         TAU * (turns - turns.round()).abs()

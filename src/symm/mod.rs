@@ -24,6 +24,8 @@
 //!
 //! [`smooth`] does all this, more simply, for smooth curves, on a [`smooth_system`].
 //!
+//! [`stored`] keeps solutions as bytes.
+//!
 //! [`field`] and [`smooth_field`] are what a [`problem`] of a region with holes gives: one analytic function, known everywhere.
 
 pub(crate) mod center;
@@ -58,6 +60,7 @@ pub(crate) mod smooth_solve;
 mod smooth_system;
 pub(crate) mod solution;
 pub(crate) mod solve;
+mod stored;
 mod system;
 mod thin_walls;
 mod two_level;

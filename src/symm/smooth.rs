@@ -5,20 +5,23 @@
 //! (R. Kress, *Linear Integral Equations*, section 12.3).
 
 use super::options::{Progress, SolveOptions, Stop};
-use super::smooth_system::{LEAST_NODES, MOST_NODES, ROUNDING_PER_NODE, SmoothOutcome, SmoothSystem};
+use super::smooth_system::{LEAST_NODES, MOST_NODES, ROUNDING_PER_NODE, Samples, SmoothOutcome, SmoothSystem};
 use super::solution::ERROR_PER_RESIDUAL;
 use crate::plane::fourier::transform;
 use crate::plane::{Complex64, SmoothCurve};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A solved smooth region.
 #[derive(Clone, Debug)]
 pub struct SmoothSolution {
-    /// The system, ready for another center.
-    pub system: Arc<SmoothSystem>,
+    samples: Arc<Samples>,
+    /// Ready for another center; of a stored solution, assembled when first asked for.
+    system: OnceLock<Arc<SmoothSystem>>,
     center: Complex64,
+    /// Mass of harmonic measure at each node.
+    masses: Vec<f64>,
     /// Fourier coefficients σ₁ … of dμ/dt = (1 + 2 Re Σ σₖ e^{ikt})/2π.
     waves: Vec<Complex64>,
     /// f at the nodes, with vertex 0 at 1.
@@ -79,38 +82,62 @@ impl SmoothSolution {
     /// One more right-hand side of a system of one curve.
     #[must_use]
     pub fn new(system: &Arc<SmoothSystem>, center: Complex64, tolerance: f64) -> Self {
-        let n = system.len();
         let center = center * system.unit;
         let logs = |points: &[Complex64]| points.iter().map(|z| (z - center).norm().ln()).collect::<Vec<_>>();
         let (at_nodes, at_checks) = (logs(&system.nodes), logs(&system.checks));
-        let SmoothOutcome { masses: x, residual, .. } = system.solve(at_nodes, &at_checks, &[1.0]);
-        let curve_error = system.curve_error(&x);
-        let error_estimate = ERROR_PER_RESIDUAL * residual + ROUNDING_PER_NODE * n as f64 + curve_error;
-        let masses: Vec<Complex64> = x.iter().map(|mass| Complex64::from(*mass)).collect();
-        let waves = transform(&masses)[1..n.div_ceil(2)].to_vec();
+        let SmoothOutcome { masses, residual, .. } = system.solve(at_nodes, &at_checks, &[1.0]);
+        let solution = Self::of_masses(Arc::clone(system.samples()), center, masses, residual);
+        let stop = if solution.error_estimate <= tolerance { Stop::Tolerance } else { Stop::SamePanels };
+        Self { system: OnceLock::from(Arc::clone(system)), stop, ..solution }
+    }
+
+    /// The solution with the given masses and residual, for a center in scaled units; its system is not assembled.
+    pub(super) fn of_masses(samples: Arc<Samples>, center: Complex64, masses: Vec<f64>, residual: f64) -> Self {
+        let n = samples.len();
+        let curve_error = samples.curve_error(&masses);
+        let complex: Vec<Complex64> = masses.iter().map(|mass| Complex64::from(*mass)).collect();
+        let waves = transform(&complex)[1..n.div_ceil(2)].to_vec();
         let mut solution = Self {
-            system: Arc::clone(system),
+            samples,
+            system: OnceLock::new(),
             center,
             waves,
             values: Vec::new(),
             slopes: Vec::new(),
             residual,
             curve_error,
-            error_estimate,
-            stop: if error_estimate <= tolerance { Stop::Tolerance } else { Stop::SamePanels },
+            error_estimate: ERROR_PER_RESIDUAL * residual + ROUNDING_PER_NODE * n as f64 + curve_error,
+            stop: Stop::SamePanels,
+            masses,
         };
-        for (j, mass) in x.iter().enumerate() {
+        for j in 0..n {
             let value = Complex64::cis(TAU * solution.measure(TAU * j as f64 / n as f64));
             solution.values.push(value);
-            solution.slopes.push(Complex64::i() * value * (mass * n as f64));
+            solution.slopes.push(Complex64::i() * value * (solution.masses[j] * n as f64));
         }
         solution
     }
 
     /// Another center on the same nodes.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`], if the system must be assembled.
+    pub fn moved(&self, center: Complex64, tolerance: f64, progress: Progress) -> Result<Self> {
+        let system = match self.system.get() {
+            Some(system) => system,
+            None => {
+                let system = Arc::new(SmoothSystem::of(&self.samples, progress)?);
+                // If another thread was first, its is the same.
+                self.system.get_or_init(|| system)
+            }
+        };
+        Ok(Self::new(system, center, tolerance))
+    }
+
+    /// Mass of harmonic measure at each node.
     #[must_use]
-    pub fn moved(&self, center: Complex64, tolerance: f64) -> Self {
-        Self::new(&self.system, center, tolerance)
+    pub fn masses(&self) -> &[f64] {
+        &self.masses
     }
 
     /// Whether more nodes would make it better: the estimate misses the tolerance, and not because of the curve's points.
@@ -146,13 +173,13 @@ impl SmoothSolution {
     /// The curve.
     #[must_use]
     pub fn curve(&self) -> &SmoothCurve {
-        &self.system.curves[0]
+        &self.samples.curves[0]
     }
 
     /// Number of unknowns.
     #[must_use]
     pub fn unknowns(&self) -> usize {
-        self.system.len()
+        self.samples.len()
     }
 
     /// Measure from t = 0 to t: ∫ dμ = t/2π + Σ Im(σₖ(e^{ikt} − 1))/(πk).
@@ -201,7 +228,7 @@ impl SmoothSolution {
 
     /// Smallest mass between two nodes, and the first of them.
     fn smallest_density(&self) -> (f64, usize) {
-        let n = self.system.len();
+        let n = self.samples.len();
         let mass = |slope: &Complex64| slope.norm();
         let signed = |(slope, value): (&Complex64, &Complex64)| {
             let along = (slope / (Complex64::i() * value)).re;
@@ -216,11 +243,11 @@ impl SmoothSolution {
     /// Conformal radius in plane units: exp ∫ log|y − z₀| dμ.
     #[must_use]
     pub fn conformal_radius(&self) -> f64 {
-        let n = self.system.len() as f64;
+        let n = self.samples.len() as f64;
         let masses =
             self.slopes.iter().zip(&self.values).map(|(slope, value)| (slope / (Complex64::i() * value)).re / n);
-        let log: f64 = masses.zip(&self.system.nodes).map(|(mass, y)| mass * (y - self.center).norm().ln()).sum();
-        log.exp() / self.system.unit
+        let log: f64 = masses.zip(&self.samples.nodes).map(|(mass, y)| mass * (y - self.center).norm().ln()).sum();
+        log.exp() / self.samples.unit
     }
 
     /// The image of z(t) on the circle, and the derivative of the map there in plane units.
@@ -236,14 +263,14 @@ impl SmoothSolution {
     /// rule gets wrong near the curve cancels in the quotient.
     #[must_use]
     pub fn to_disk(&self, z: Complex64) -> (Complex64, Complex64) {
-        let (value, slope) = cauchy(&self.system.nodes, &self.system.tangents, &self.values, z * self.system.unit);
-        (value, slope * self.system.unit)
+        let (value, slope) = cauchy(&self.samples.nodes, &self.samples.tangents, &self.values, z * self.samples.unit);
+        (value, slope * self.samples.unit)
     }
 
     /// Disk → region, the inverse of [`SmoothSolution::to_disk`], by the same formula with the circle for the curve.
     #[must_use]
     pub fn from_disk(&self, w: Complex64) -> Complex64 {
-        cauchy(&self.values, &self.slopes, &self.system.nodes, w).0 / self.system.unit
+        cauchy(&self.values, &self.slopes, &self.samples.nodes, w).0 / self.samples.unit
     }
 }
 

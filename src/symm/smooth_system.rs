@@ -5,7 +5,7 @@ use super::options::Progress;
 use crate::plane::{Complex64, SmoothCurve};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
-use std::ops::Range;
+use std::ops::{Deref, Range};
 use std::sync::Arc;
 
 /// What rounding leaves, per node: differences of nearby nodes are only known to that.
@@ -15,9 +15,9 @@ pub(super) const LEAST_NODES: usize = 64;
 /// Most nodes: a dense factorisation of this size takes seconds.
 pub(super) const MOST_NODES: usize = 4096;
 
-/// Curves sampled at equally spaced nodes, with the factored equation: ready for any right-hand side.
+/// Curves sampled at equally spaced nodes.
 #[derive(Debug)]
-pub struct SmoothSystem {
+pub struct Samples {
     /// The curves in plane units, all counter-clockwise.
     pub curves: Vec<Arc<SmoothCurve>>,
     /// Plane units × `unit` = units used here.
@@ -30,6 +30,12 @@ pub struct SmoothSystem {
     pub tangents: Vec<Complex64>,
     /// Points halfway between nodes, where the equation is checked.
     pub checks: Vec<Complex64>,
+}
+
+/// Samples with the factored equation: ready for any right-hand side.
+#[derive(Debug)]
+pub struct SmoothSystem {
+    samples: Arc<Samples>,
     /// Entries at the checks, row-major.
     check_rows: Vec<f64>,
     lu: Lu,
@@ -48,12 +54,18 @@ pub struct SmoothOutcome {
     pub residual: f64,
 }
 
-impl SmoothSystem {
-    /// Assembles and factors, with so many nodes on each curve.
-    ///
-    /// # Errors
-    /// [`Error::Cancelled`].
-    pub fn new(curves: Vec<Arc<SmoothCurve>>, counts: &[usize], progress: Progress) -> Result<Self> {
+impl Deref for SmoothSystem {
+    type Target = Samples;
+
+    fn deref(&self) -> &Samples {
+        &self.samples
+    }
+}
+
+impl Samples {
+    /// With so many nodes on each curve.
+    #[must_use]
+    pub fn new(curves: Vec<Arc<SmoothCurve>>, counts: &[usize]) -> Self {
         let unit = (-size_of(&curves).log2().round()).exp2();
         let mut loops: Vec<Range<usize>> = Vec::with_capacity(curves.len());
         let (mut nodes, mut tangents, mut checks) = (Vec::new(), Vec::new(), Vec::new());
@@ -64,7 +76,44 @@ impl SmoothSystem {
             tangents.extend((0..count).map(at(0.0)).map(|t| curve.tangent(t) * unit));
             checks.extend((0..count).map(at(0.5)).map(|t| curve.point(t) * unit));
         }
-        let (n, m) = (nodes.len(), curves.len());
+        Self { curves, unit, loops, nodes, tangents, checks }
+    }
+
+    /// Number of nodes.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// What of the map's error the curves have from their points: a boundary moved by δ moves its image by |f'| δ =
+    /// 2π (dμ/dt)/|z'| δ.
+    #[must_use]
+    pub fn curve_error(&self, masses: &[f64]) -> f64 {
+        let of = |(curve, own): (&Arc<SmoothCurve>, &Range<usize>)| {
+            let count = own.len() as f64;
+            let slopes = own.clone().map(|j| masses[j].abs() * count / self.tangents[j].norm());
+            curve.uncertainty() * self.unit * slopes.fold(0.0, f64::max)
+        };
+        self.curves.iter().zip(&self.loops).map(of).fold(0.0, f64::max)
+    }
+}
+
+impl SmoothSystem {
+    /// Assembles and factors, with so many nodes on each curve.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn new(curves: Vec<Arc<SmoothCurve>>, counts: &[usize], progress: Progress) -> Result<Self> {
+        Self::of(&Arc::new(Samples::new(curves, counts)), progress)
+    }
+
+    /// Assembles and factors.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn of(samples: &Arc<Samples>, progress: Progress) -> Result<Self> {
+        let Samples { loops, nodes, tangents, checks, .. } = samples.as_ref();
+        let (n, m) = (nodes.len(), loops.len());
         let mut matrix = Vec::with_capacity((n + m) * (n + m));
         let mut check_rows = Vec::with_capacity(n * n);
         for (curve, own) in loops.iter().enumerate() {
@@ -93,18 +142,18 @@ impl SmoothSystem {
                 }
             }
         }
-        for own in &loops {
+        for own in loops {
             matrix.extend((0..n).map(|j| f64::from(u8::from(own.contains(&j)))));
             matrix.resize(matrix.len() + m, 0.0);
         }
         let lu = Lu::new(n + m, matrix);
-        Ok(Self { curves, unit, loops, nodes, tangents, checks, check_rows, lu })
+        Ok(Self { samples: Arc::clone(samples), check_rows, lu })
     }
 
-    /// Number of nodes.
+    /// What it was assembled from.
     #[must_use]
-    pub fn len(&self) -> usize {
-        self.nodes.len()
+    pub fn samples(&self) -> &Arc<Samples> {
+        &self.samples
     }
 
     /// Solves for boundary values at the nodes and at the checks, and charges of the curves.
@@ -127,18 +176,6 @@ impl SmoothSystem {
         let constant = if constants.len() == 1 && charges[0] != 0.0 { constants[0].abs() } else { 0.0 };
         let residual = residuals.iter().copied().fold(constant, worse);
         SmoothOutcome { masses: x, constants, residuals, residual }
-    }
-
-    /// What of the map's error the curves have from their points: a boundary moved by δ moves its image by |f'| δ =
-    /// 2π (dμ/dt)/|z'| δ.
-    #[must_use]
-    pub fn curve_error(&self, masses: &[f64]) -> f64 {
-        let of = |(curve, own): (&Arc<SmoothCurve>, &Range<usize>)| {
-            let count = own.len() as f64;
-            let slopes = own.clone().map(|j| masses[j].abs() * count / self.tangents[j].norm());
-            curve.uncertainty() * self.unit * slopes.fold(0.0, f64::max)
-        };
-        self.curves.iter().zip(&self.loops).map(of).fold(0.0, f64::max)
     }
 }
 

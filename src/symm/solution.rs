@@ -8,13 +8,13 @@
 
 use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::Discretisation;
-use super::options::Stop;
+use super::options::{Progress, Stop};
 use super::potential::LogPotential;
 use super::system::{System, SystemSolution};
 use crate::plane::{BoundaryPoint, Complex64};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// The map's error was measured at 1 to 8 times the residual.
 pub(super) const ERROR_PER_RESIDUAL: f64 = 10.0;
@@ -23,8 +23,10 @@ const ROUNDING: f64 = 1e-14;
 /// A solved equation, with its evidence.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// The system, ready for another center.
-    pub system: Arc<System>,
+    /// The panels it lives on.
+    discretisation: Arc<Discretisation>,
+    /// Ready for another center; of a stored solution, assembled when first asked for.
+    system: OnceLock<Arc<System>>,
     /// The center, in the scaled units of the boundary.
     pub center: Complex64,
     /// Mass of harmonic measure at each node.
@@ -42,10 +44,38 @@ pub struct Solution {
 }
 
 impl Solution {
+    /// A solution whose system is not assembled.
+    pub(super) fn new(
+        discretisation: Arc<Discretisation>,
+        center: Complex64,
+        masses: Vec<f64>,
+        residual: f64,
+        error_estimate: f64,
+        stop: Stop,
+    ) -> Self {
+        let correspondence = BoundaryCorrespondence::new(&discretisation, &masses);
+        let potential = LogPotential::new(&masses);
+        let system = OnceLock::new();
+        Self { discretisation, system, center, masses, correspondence, potential, residual, error_estimate, stop }
+    }
+
     /// The panels it lives on.
     #[must_use]
     pub fn discretisation(&self) -> &Discretisation {
-        &self.system.discretisation
+        &self.discretisation
+    }
+
+    /// The system, ready for another center.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`], if it must be assembled.
+    pub fn system(&self, progress: Progress) -> Result<Arc<System>> {
+        if let Some(system) = self.system.get() {
+            return Ok(Arc::clone(system));
+        }
+        let system = Arc::new(System::new(Arc::clone(&self.discretisation), progress)?);
+        // If another thread was first, its is the same.
+        Ok(Arc::clone(self.system.get_or_init(|| system)))
     }
 
     /// Measure from vertex 0 to a boundary point.
@@ -102,14 +132,13 @@ pub(super) fn finish(
     stop: Stop,
 ) -> Result<Solution> {
     let residual = outcome.residual();
-    let masses = outcome.masses;
-    let correspondence = BoundaryCorrespondence::new(&system.discretisation, &masses);
-    let (mass, q) = correspondence.smallest_mass();
+    let discretisation = Arc::clone(&system.discretisation);
+    let solution = Solution::new(discretisation, center, outcome.masses, residual, error_estimate, stop);
+    let (mass, q) = solution.correspondence.smallest_mass();
     if mass < -error_estimate || !(mass + residual).is_finite() {
         let worst = outcome.residuals.iter().position(|r| !r.is_finite()).unwrap_or(q);
         let edge = system.discretisation.panels[worst].edge;
         return Err(Error::NegativeMass { mass, estimate: error_estimate, edge });
     }
-    let potential = LogPotential::new(&masses);
-    Ok(Solution { system, center, masses, correspondence, potential, residual, error_estimate, stop })
+    Ok(Solution { system: OnceLock::from(system), ..solution })
 }

@@ -71,7 +71,7 @@ pub fn solve_again(
     let facing = halved_towards(center, FACING, boundary, discretisation.panels.clone());
     if facing.len() == discretisation.panels.len() {
         let guess = moved_measure(previous, center);
-        return seen_from(center, Arc::clone(&previous.system), rules, Some(guess), options, progress);
+        return seen_from(center, previous.system(progress)?, rules, Some(guess), options, progress);
     }
     // Much nearer to the boundary: residuals would halve panels once a round.
     let discretisation = Discretisation::new(Arc::clone(boundary), facing, &mut rules);

@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// The matrix and its (approximate) inverse: one constant and one total mass a component border it.
 pub struct System {
     /// The panels.
-    pub discretisation: Discretisation,
+    pub discretisation: Arc<Discretisation>,
     /// The unknowns of each component.
     components: Vec<Range<usize>>,
     targets: Vec<Target>,
@@ -92,7 +92,8 @@ impl System {
     ///
     /// # Errors
     /// [`Error::Cancelled`](crate::Error::Cancelled).
-    pub fn new(discretisation: Discretisation, progress: Progress) -> Result<Self> {
+    pub fn new(discretisation: impl Into<Arc<Discretisation>>, progress: Progress) -> Result<Self> {
+        let discretisation = discretisation.into();
         let targets = discretisation.collocation_points();
         let checks = discretisation.check_points();
         let n = discretisation.unknowns();
@@ -171,7 +172,7 @@ impl System {
         let refined_checks = fast_checks.refined(&refinement, &discretisation, &checks, progress)?;
         Ok(Self {
             components: discretisation.unknowns_of_components().collect(),
-            discretisation,
+            discretisation: Arc::new(discretisation),
             targets,
             checks,
             equations: Arc::new(Equations::Fast(refined)),

@@ -48,6 +48,20 @@ impl FormulaMap {
         Ok(Self(crate::formula::FormulaMap::with_params(text, &params)?))
     }
 
+    /// The formula and its parameters' present values as bytes, to be stored or sent to a worker.
+    #[wasm_bindgen(js_name = toBytes)]
+    pub fn to_bytes(&self) -> Vec<u8> {
+        self.0.to_bytes()
+    }
+
+    /// The map that `toBytes` stored.
+    ///
+    /// Throws "not-stored", "other-format" or "damaged", and what the constructor throws.
+    #[wasm_bindgen(js_name = fromBytes)]
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, Failure> {
+        Ok(Self(crate::formula::FormulaMap::from_bytes(bytes)?))
+    }
+
     /// The names that a formula uses and that mean nothing by themselves, in the order in which they first appear: its
     /// parameters. Names that `sum`, `prod` and `iterate` bind are not among them.
     ///

@@ -98,6 +98,23 @@ impl RiemannMap {
         progress.finish(solved).map(Self)
     }
 
+    /// The solved map as bytes, to be stored or sent to a worker: `RiemannMap.fromBytes` makes the same map of them, to the bit,
+    /// without solving.
+    #[wasm_bindgen(js_name = toBytes)]
+    pub fn to_bytes(&self) -> Vec<u8> {
+        self.0.to_bytes()
+    }
+
+    /// The map that `toBytes` stored, by this version or an older one. What `withCenter` needs is made at its first call.
+    ///
+    /// Throws "not-stored", "other-format" or "damaged", whatever the bytes are; nothing is believed of them that they do not
+    /// bear out.
+    #[wasm_bindgen(js_name = fromBytes)]
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, Failure> {
+        memory::reserve(0);
+        Ok(Self(crate::riemann::RiemannMap::from_bytes(bytes)?))
+    }
+
     /// Region → disk, point by point `[x0, y0, x1, y1, …]`; NaN outside the closed region.
     ///
     /// The first call builds what is needed, and the first that falls into a far end solves for more: seconds for thousands of

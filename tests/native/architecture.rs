@@ -4,8 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// The rooms of src in their order: each uses those of earlier rows only, and those of one row stand side by side.
-const ORDER: [&[&str]; 9] = [
+const ORDER: [&[&str]; 10] = [
     &["error"],
+    &["stored"],
     &["plane"],
     &["symm"],
     &["map"],

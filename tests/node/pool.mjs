@@ -2,7 +2,8 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import init, { FormulaMap, Region, RiemannMap, Texture } from "conformal-warp";
+import { Worker } from "node:worker_threads";
+import init, { FormulaMap, Region, RegionMap, RiemannMap, Texture } from "conformal-warp";
 import { createPool } from "conformal-warp/pool";
 
 const square = { boundary: new Float64Array([-1, -1, 1, -1, 1, 1, -1, 1]), center: /** @type {[number, number]} */ ([0, 0]), toward: /** @type {[number, number]} */ ([1, 0]) };
@@ -56,6 +57,41 @@ test("what goes wrong is rejected with its code, and the pool works on", async (
   await assert.rejects(formula.eval(new Float64Array(2)), { code: "freed" });
   await assert.rejects(createPool({ workers: 0 }), { code: "invalid-option" });
   assert.equal((await new pool.FormulaMap("z").eval(new Float64Array([1, 2])))[1], 2);
+});
+
+test("one worker solves, and the others get the map", async () => {
+  /** @type {string[]} */
+  const asked = [];
+  const script = new URL(import.meta.resolve("conformal-warp/pool-worker"));
+  const other = await createPool({
+    workers: 3,
+    worker: () => {
+      const worker = new Worker(script);
+      const post = worker.postMessage.bind(worker);
+      worker.postMessage = (message) => {
+        if (message.task) asked.push(message.task.key ?? message.task.kind);
+        post(message);
+      };
+      return worker;
+    },
+  });
+  const region = new other.Region(square);
+  const map = other.RiemannMap.solve(region, { tolerance: 1e-6 });
+  // Used before it is made, and its parts gone before they are used up: what is asked comes in order.
+  const between = other.RegionMap.between(map, map);
+  const moved = map.withCenter({ center: [0.3, 0.1], toward: [1, 0] });
+  region.free();
+  map.free();
+  const points = Float64Array.from({ length: 80_000 }, (_, k) => Math.sin(k) / 2);
+  const alone = RiemannMap.solve(new Region(square), { tolerance: 1e-6 });
+  assert.deepEqual(await between.forward(points), RegionMap.between(alone, alone).forward(points));
+  assert.deepEqual(await moved.toDisk(points), alone.withCenter({ center: [0.3, 0.1], toward: [1, 0] }).toDisk(points));
+  const stored = await moved.toBytes();
+  assert.deepEqual(await other.RiemannMap.fromBytes(stored).fromDisk(points), await moved.fromDisk(points));
+  for (const key of ["solve", "withCenter"]) assert.equal(asked.filter((task) => task === key).length, 1, key);
+  await assert.rejects(other.RiemannMap.solve(new other.Region(square), { tolerance: 7 }).ready, { code: "invalid-option" });
+  assert.equal((await new other.FormulaMap("z").eval(new Float64Array([1, 2])))[1], 2);
+  other.close();
 });
 
 test("a signal aborts, and progress is told", async () => {

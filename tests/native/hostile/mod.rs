@@ -7,6 +7,7 @@ mod metamorphic;
 mod outlines;
 mod polygons;
 mod smooth;
+mod stored;
 mod walkers;
 
 /// How many times the share of `npm test` is tried.

@@ -1,0 +1,175 @@
+//! Solutions as bytes: what the solve found, and nothing that follows from it.
+//!
+//! Of a polygon's solution these are where its panels end and their masses, of a smooth curve's the masses of its nodes. Rules,
+//! correspondence and potential are made anew, by the same steps and so with the same bits; the system is assembled when
+//! another center asks for it.
+
+use super::discretisation::Discretisation;
+use super::legendre::MAX_NODES;
+use super::options::{SolveOptions, Stop};
+use super::order::Order;
+use super::panel::{Boundary, Panel};
+use super::rule::Rules;
+use super::smooth::SmoothSolution;
+use super::smooth_system::{LEAST_NODES, MOST_NODES, Samples};
+use super::solution::Solution;
+use crate::plane::Region;
+use crate::stored::{Reader, Writer};
+use crate::{Error, Result};
+use std::sync::Arc;
+
+/// Edges are covered by their panels up to this share of their length.
+const COVERED: f64 = 1e-9;
+/// Digits of quadrature that an order can have.
+const DIGITS: std::ops::RangeInclusive<f64> = 1.0..=16.0;
+/// Every reason why a solve can have ended, by its number.
+const STOPS: [Stop; 5] = [Stop::Tolerance, Stop::MaxUnknowns, Stop::SamePanels, Stop::TooFewPoints, Stop::Stagnation];
+
+fn damaged(reason: &'static str) -> Error {
+    Error::Damaged { reason }
+}
+
+impl SolveOptions {
+    /// Writes them.
+    pub(crate) fn store(&self, to: &mut Writer) {
+        to.number(self.tolerance);
+        to.number(self.max_unknowns as f64);
+        to.number(self.max_charts as f64);
+    }
+
+    /// Reads what [`SolveOptions::store`] wrote.
+    ///
+    /// # Errors
+    /// [`Error::Damaged`], [`Error::InvalidOption`].
+    pub(crate) fn restore(from: &mut Reader) -> Result<Self> {
+        let (tolerance, unknowns, charts) = (from.number()?, from.number()?, from.number()?);
+        let options = Self { tolerance, max_unknowns: unknowns as usize, max_charts: charts as usize };
+        options.validate()?;
+        Ok(options)
+    }
+}
+
+fn store_stop(stop: Stop, to: &mut Writer) {
+    to.case(STOPS.iter().position(|known| *known == stop).unwrap_or_default() as u8);
+}
+
+fn restore_stop(from: &mut Reader) -> Result<Stop> {
+    let number = from.case()?;
+    STOPS.get(usize::from(number)).copied().ok_or(damaged("it ended for no known reason"))
+}
+
+/// A residual or an estimate.
+fn restore_error(from: &mut Reader) -> Result<f64> {
+    let error = from.number()?;
+    if error >= 0.0 { Ok(error) } else { Err(damaged("an estimate in it is negative")) }
+}
+
+impl Solution {
+    /// Writes what [`Solution::restore`] needs beside the region.
+    pub(crate) fn store(&self, to: &mut Writer) {
+        store_stop(self.stop, to);
+        to.number(self.residual);
+        to.number(self.error_estimate);
+        let discretisation = self.discretisation();
+        to.case(discretisation.order.p() as u8);
+        to.number(discretisation.order.digits);
+        for panels in discretisation.panels.chunk_by(|a, b| a.edge == b.edge) {
+            let outgoing = panels.iter().take_while(|panel| panel.outgoing).count();
+            to.count(outgoing);
+            to.count(panels.len() - outgoing);
+            panels.iter().for_each(|panel| to.number(panel.end));
+        }
+        to.numbers(&self.masses);
+    }
+
+    /// Reads the solution of Symm's equation for the polygon around `region`.
+    ///
+    /// # Errors
+    /// [`Error::Damaged`].
+    pub(crate) fn restore(region: &Region, from: &mut Reader) -> Result<Self> {
+        let stop = restore_stop(from)?;
+        let (residual, error_estimate) = (restore_error(from)?, restore_error(from)?);
+        let (p, digits) = (usize::from(from.case()?), from.number()?);
+        if !(2..=MAX_NODES).contains(&p) || !DIGITS.contains(&digits) {
+            return Err(damaged("it is resolved in no possible way"));
+        }
+        let boundary = Boundary::new(region.polygon());
+        let mut panels = Vec::new();
+        for edge in 0..boundary.len() {
+            restore_panels(&boundary, edge, p, from, &mut panels)?;
+        }
+        let masses = from.numbers(panels.len() * p)?;
+        let center = region.center() * boundary.unit;
+        let mut rules = Rules::new(Order::new(p, digits));
+        let discretisation = Arc::new(Discretisation::new(Arc::new(boundary), panels, &mut rules));
+        let solution = Self::new(discretisation, center, masses, residual, error_estimate, stop);
+        let (least, _) = solution.correspondence.smallest_mass();
+        if least >= -error_estimate { Ok(solution) } else { Err(damaged("its measure is negative somewhere")) }
+    }
+}
+
+/// Reads the panels of an edge, from where each of them ends.
+fn restore_panels(
+    boundary: &Boundary,
+    edge: usize,
+    p: usize,
+    from: &mut Reader,
+    panels: &mut Vec<Panel>,
+) -> Result<()> {
+    let each = size_of::<f64>() * (p + 1);
+    let (outgoing, incoming) = (from.count(each)?, from.count(each)?);
+    let ends = from.numbers(outgoing + incoming)?;
+    let (first, second) = ends.split_at(outgoing);
+    let rises = |a: &f64, b: &f64| a < b;
+    let middle = 0.5 * boundary.lengths[edge];
+    let reaches = |end: Option<&f64>| end.is_some_and(|end| (end - middle).abs() <= COVERED * middle);
+    let covers = reaches(first.last())
+        && reaches(second.first())
+        && [first.first(), second.last()].into_iter().flatten().all(|end| *end > 0.0)
+        && first.is_sorted_by(rises)
+        && second.is_sorted_by(|a, b| rises(b, a));
+    if !covers {
+        return Err(damaged("its panels do not cover the boundary"));
+    }
+    let panel = |corner: usize, start: f64, end: f64| {
+        let outgoing = corner == edge;
+        let direction = if outgoing { boundary.directions[edge] } else { -boundary.directions[edge] };
+        let exponent = if start == 0.0 { boundary.exponent(corner) } else { 1.0 };
+        Panel { edge, corner, direction, outgoing, start, end, exponent }
+    };
+    let starts = |k: usize| if k == 0 { 0.0 } else { first[k - 1] };
+    panels.extend(first.iter().enumerate().map(|(k, end)| panel(edge, starts(k), *end)));
+    let starts = |k: usize| second.get(k + 1).copied().unwrap_or(0.0);
+    panels.extend(second.iter().enumerate().map(|(k, end)| panel(boundary.next(edge), starts(k), *end)));
+    Ok(())
+}
+
+impl SmoothSolution {
+    /// Writes what [`SmoothSolution::restore`] needs beside the region.
+    pub(crate) fn store(&self, to: &mut Writer) {
+        store_stop(self.stop, to);
+        to.number(self.residual);
+        to.count(self.masses().len());
+        to.numbers(self.masses());
+    }
+
+    /// Reads the solution of Symm's equation for the smooth curve around `region`.
+    ///
+    /// # Errors
+    /// [`Error::Damaged`], and those of [`SmoothSolution::checked`].
+    pub(crate) fn restore(region: &Region, from: &mut Reader) -> Result<Self> {
+        let curve = region.smooth().ok_or(damaged("its curve is not smooth"))?;
+        let stop = restore_stop(from)?;
+        let residual = restore_error(from)?;
+        let nodes = from.count(size_of::<f64>())?;
+        if !(LEAST_NODES..=MOST_NODES).contains(&nodes) {
+            return Err(damaged("it is resolved in no possible way"));
+        }
+        let masses = from.numbers(nodes)?;
+        let samples = Arc::new(Samples::new(vec![Arc::clone(curve)], &[nodes]));
+        let center = region.center() * samples.unit;
+        let mut solution = Self::of_masses(samples, center, masses, residual);
+        solution.stop = stop;
+        solution.checked()
+    }
+}
