@@ -116,7 +116,7 @@ impl JointTriangulation {
 
     /// Target → source: the same triangles, the copies exchanged. The evidence stays that of the making.
     #[must_use]
-    pub fn inverse(self) -> Self {
+    pub fn reversed(self) -> Self {
         let [source, target] = self.shapes;
         let magnification = self.magnification.iter().map(|factor| 1.0 / factor).collect();
         Self { source: self.target, target: self.source, shapes: [target, source], magnification, ..self }

@@ -115,8 +115,8 @@ impl JointTriangulation {
     }
 
     /// Target → source: the same triangles, the copies exchanged.
-    pub fn inverse(&self) -> Self {
-        Self(self.0.clone().inverse())
+    pub fn reversed(&self) -> Self {
+        Self(self.0.clone().reversed())
     }
 
     /// A mesh from its arrays, as a worker receives them: `source`, `target`, `triangles` and `magnification` of another

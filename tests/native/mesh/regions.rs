@@ -135,7 +135,7 @@ fn magnification_is_that_of_the_map() {
         }
     }
     assert!(compared + 60 > mesh.source().len(), "{compared} of {}", mesh.source().len());
-    let back = mesh.clone().inverse();
+    let back = mesh.clone().reversed();
     assert!(mesh.magnification().iter().zip(back.magnification()).all(|(m, n)| (m * n - 1.0).abs() < 1e-12));
 }
 
