@@ -1,8 +1,8 @@
 // npm run test:consumers: the package's tarball, in the hands of those who use it.
 
-import { createHash } from "node:crypto";
-import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { readdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
+import { installApart } from "./apart.mjs";
 import { buildPackage } from "./package.mjs";
 import { npm, setUp } from "./setup.mjs";
 import { checkSizes } from "./sizes.mjs";
@@ -14,8 +14,7 @@ const work = join(root, "target", "consumers");
 await main(async () => {
   await setUp();
   await buildPackage({ complete: true });
-  mkdirSync(work, { recursive: true });
-  await installBundlers();
+  await installApart("bundlers", tests, work);
   await step("npm pack", pack);
   checkSizes(join(work, "package"));
   const { installChromium } = await import("./chromium.mjs");
@@ -26,20 +25,6 @@ await main(async () => {
   const paths = files.map((name) => join(tests, name));
   await show("consumers of the package", process.execPath, ["--test", "--test-concurrency=1", ...paths], { CHROMIUM, CONSUMERS: work });
 });
-
-/** The bundlers, in the versions of tests/consumers/package-lock.json, apart from the project's own packages. */
-async function installBundlers() {
-  const lists = ["package.json", "package-lock.json"];
-  const hash = createHash("sha256");
-  for (const name of lists) hash.update(readFileSync(join(tests, name)));
-  const wanted = hash.digest("hex");
-  const stamp = join(work, "installed");
-  if (existsSync(stamp) && readFileSync(stamp, "utf8") === wanted) return;
-  for (const name of lists) copyFileSync(join(tests, name), join(work, name));
-  // Their install scripts only choose among binaries that are there already.
-  await step("bundlers", (note) => run(npm, ["ci", "--prefix", work, "--ignore-scripts", "--no-audit", "--no-fund"], { note }));
-  writeFileSync(stamp, wanted);
-}
 
 /** The tarball as npm makes it, unpacked into `package/`. */
 async function pack() {

@@ -1,6 +1,6 @@
 // What a fresh machine lacks: npm's packages, the wasm target, the wasm-bindgen command-line tool.
 
-import { existsSync, readFileSync, statSync } from "node:fs";
+import { existsSync, lstatSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { Failure, root, run, step } from "./steps.mjs";
 
@@ -27,7 +27,10 @@ function checkNode() {
 
 /** npm writes its own record of what it installed; a lock file newer than that record has not been installed. */
 async function installPackages() {
-  const installed = join(root, "node_modules", ".package-lock.json");
+  const modules = join(root, "node_modules");
+  // npm would empty the folder that a link leads to, which is somebody else's.
+  if (lstatSync(modules, { throwIfNoEntry: false })?.isSymbolicLink()) return;
+  const installed = join(modules, ".package-lock.json");
   if (existsSync(installed) && statSync(installed).mtimeMs >= statSync(join(root, "package-lock.json")).mtimeMs) return;
   await step("npm packages", (note) => run(npm, ["ci", "--no-audit", "--no-fund"], { note }));
 }
