@@ -3,6 +3,7 @@
 import { JointTriangulation, RiemannMap, Texture } from "conformal-warp";
 import { fixture, regionOf } from "./lib/fixtures.mjs";
 import { remapper } from "./lib/opencv.mjs";
+import { peer, peerFile } from "./lib/peers.mjs";
 import { coordinates, picture } from "./lib/pictures.mjs";
 import { Table, Target, ms, ratio } from "./lib/table.mjs";
 import { inTurns, milliseconds } from "./lib/timing.mjs";
@@ -15,7 +16,25 @@ const around = { center: [0, 0], width: 3, pixels: [1024, 1024] };
 export default async function bench() {
   const [map, other] = ["blob100", "sc_24_105"].map((name) => RiemannMap.solve(regionOf(fixture(name)), { tolerance: 1e-8 }));
   making(map, other);
+  await triangulating(map);
   await drawing(map);
+}
+
+/**
+ * A mesh beside what delaunator makes of its nodes: their Delaunay triangulation, without edges to keep and one copy of it.
+ *
+ * @param {RiemannMap} map
+ */
+async function triangulating(map) {
+  const { default: Delaunator } = await peer(peerFile("delaunator"));
+  const table = new Table("Mesh: beside delaunator, which triangulates given points alone", { nodes: 8, "joint triangulation": 20, delaunator: 12 });
+  for (const spacing of [0.05, 0.0145]) {
+    const mesh = JointTriangulation.regionToDisk(map, { spacing });
+    const nodes = mesh.source;
+    mesh.free();
+    const times = inTurns({ ours: () => JointTriangulation.regionToDisk(map, { spacing }).free(), peer: () => void new Delaunator(nodes) });
+    table.row(nodes.length / 2, ms(times.ours), ms(times.peer));
+  }
 }
 
 /** @param {RiemannMap} map @param {RiemannMap} other */

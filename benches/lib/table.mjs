@@ -23,6 +23,17 @@ export const ms = (/** @type {number} */ x) => (x >= 1000 ? `${(x / 1000).toFixe
 export const ratio = (/** @type {number} */ x) => `${x.toFixed(2)}×`;
 export const scientific = (/** @type {number} */ x) => x.toExponential(1);
 
+export const decibel = (/** @type {number} */ x) => `${x.toFixed(1)} dB`;
+
+/** Everything that tables have printed. @type {string[]} */
+export const printed = [];
+
+/** @param {string} line */
+function print(line) {
+  console.log(line);
+  printed.push(line);
+}
+
 /** A table whose rows are printed as they come. */
 export class Table {
   /**
@@ -31,13 +42,13 @@ export class Table {
    */
   constructor(title, columns) {
     this.widths = Object.entries(columns).map(([name, width]) => Math.max(width, name.length));
-    console.log(`\n## ${title}\n`);
+    print(`\n## ${title}\n`);
     this.row(...Object.keys(columns));
-    console.log(`|${this.widths.map((width) => "-".repeat(width + 2)).join("|")}|`);
+    print(`|${this.widths.map((width) => "-".repeat(width + 2)).join("|")}|`);
   }
 
   /** @param {...(string | number | Target)} cells */
   row(...cells) {
-    console.log(`| ${this.widths.map((width, k) => String(cells[k] ?? "").padEnd(width)).join(" | ")} |`);
+    print(`| ${this.widths.map((width, k) => String(cells[k] ?? "").padEnd(width)).join(" | ")} |`);
   }
 }
