@@ -13,9 +13,10 @@ use super::rule::Rules;
 use super::smooth::SmoothSolution;
 use super::smooth_system::{LEAST_NODES, MOST_NODES, Samples};
 use super::solution::Solution;
-use crate::plane::Region;
+use crate::plane::{Complex64, Region};
 use crate::stored::{Reader, Writer};
 use crate::{Error, Result};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Edges are covered by their panels up to this share of their length.
@@ -24,6 +25,15 @@ const COVERED: f64 = 1e-9;
 const DIGITS: std::ops::RangeInclusive<f64> = 1.0..=16.0;
 /// Every reason why a solve can have ended, by its number.
 const STOPS: [Stop; 5] = [Stop::Tolerance, Stop::MaxUnknowns, Stop::SamePanels, Stop::TooFewPoints, Stop::Stagnation];
+
+/// So many points are looked at around a region,
+const AROUND: usize = 24;
+/// this many times farther from the center than its farthest vertex.
+const AWAY: f64 = 1.25;
+/// The potential may miss there by this share of the solve's estimate,
+const MISSES: f64 = 3.0;
+/// and by rounding.
+const ROUNDING: f64 = 1e-11;
 
 fn damaged(reason: &'static str) -> Error {
     Error::Damaged { reason }
@@ -104,7 +114,26 @@ impl Solution {
         let discretisation = Arc::new(Discretisation::new(Arc::new(boundary), panels, &mut rules));
         let solution = Self::new(discretisation, center, masses, residual, error_estimate, stop);
         let (least, _) = solution.correspondence.smallest_mass();
-        if least >= -error_estimate { Ok(solution) } else { Err(damaged("its measure is negative somewhere")) }
+        if least < -error_estimate {
+            return Err(damaged("its measure is negative somewhere"));
+        }
+        if !solution.is_seen_from_center() {
+            return Err(damaged("its measure is not that of its region"));
+        }
+        Ok(solution)
+    }
+
+    /// Whether the measure attracts points around the region as all of it at the center would: what Symm's equation says on the
+    /// boundary holds outside of it too. Of another region, or another center, that is false.
+    fn is_seen_from_center(&self) -> bool {
+        let Self { center, error_estimate, .. } = *self;
+        let vertices = &self.discretisation().boundary.vertices;
+        let radius = AWAY * vertices.iter().map(|v| (v - center).norm()).fold(0.0, f64::max);
+        let misses = |k: usize| {
+            let z = center + Complex64::from_polar(radius, TAU * k as f64 / AROUND as f64);
+            (self.potential.at(self.discretisation(), z).re - radius.ln()).abs()
+        };
+        (0..AROUND).all(|k| misses(k) <= MISSES * error_estimate + ROUNDING)
     }
 }
 
