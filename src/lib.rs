@@ -69,9 +69,9 @@ pub use map::{Compose, Inverse, InvertibleMap, Jet, Moebius, PlaneMap};
 pub use mesh::{Density, JointTriangulation, MeshEvidence, MeshOptions, MeshStop, Route};
 pub use plane::{BoundaryPoint, Complex64, Curve, Domain, Frame, Polygon, Region, SmoothCurve, parse_outline};
 pub use riemann::{
-    AnnulusMap, CanonicalMap, Circle, CircleMap, Circulation, Conductors, DiskPoint, Electrostatics, ExteriorMap,
-    FlowLines, HalfPlaneMap, JoinedMap, LevelLine, PotentialFlow, RectangleMap, RegionMap, RiemannMap, RingLines, Slit,
-    SlitKind, SlitMap, StripMap,
+    AnnulusMap, CanonicalMap, Circulation, Conductors, DiskPoint, Electrostatics, ExteriorMap, FlowLines, HalfPlaneMap,
+    JoinedMap, LevelLine, PotentialFlow, RectangleMap, RegionMap, RiemannMap, RingLines, Slit, SlitKind, SlitMap,
+    StripMap,
 };
 pub use symm::options::{Progress, SolveOptions, Stop};
 pub use warp::{

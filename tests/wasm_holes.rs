@@ -3,7 +3,6 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use conformal_warp::wasm::annulus::AnnulusMap;
-use conformal_warp::wasm::circles::CircleMap;
 use conformal_warp::wasm::electrostatics::{ConductorOptions, Electrostatics};
 use conformal_warp::wasm::exterior::{BodyOptions, ExteriorMap};
 use conformal_warp::wasm::flow::{FlowOptions, PotentialFlow};
@@ -71,21 +70,6 @@ fn a_frame_goes_to_a_ring_and_back() {
     assert!((images[0] - 1.0).abs() < 1e-12 && images[1].abs() < 1e-12 && images[4].is_nan(), "{images:?}");
     let back = map.from_annulus(&images[2..4]).unwrap();
     assert!((back[0] - 0.7).abs() < 1e-10 && (back[1] - 0.1).abs() < 1e-10, "{back:?}");
-}
-
-#[wasm_bindgen_test]
-fn windows_go_to_round_holes_and_back() {
-    let window = |x: f64| format!("new Float64Array([{0}, -0.5, {1}, -0.5, {1}, 0.5, {0}, 0.5])", x - 0.5, x + 0.5);
-    let outer = "boundary: new Float64Array([-3, -2, 3, -2, 3, 2, -3, 2]), center: [0, 0]";
-    let windows = region(&format!("{outer}, holes: [{}, {}]", window(-1.5), window(1.5))).unwrap();
-    let map = CircleMap::solve(&windows, None).unwrap();
-    let (centers, radii) = (map.centers(), map.radii());
-    assert!((radii[0] - radii[1]).abs() < 1e-7 && (centers[0] + centers[2]).abs() < 1e-7, "{centers:?} {radii:?}");
-    let images = map.to_circles(&[0.4, 1.1, -1.5, 0.0]).unwrap();
-    assert!(images[2].is_nan());
-    let back = map.from_circles(&images[..2]).unwrap();
-    assert!((back[0] - 0.4).abs() < 1e-7 && (back[1] - 1.1).abs() < 1e-7, "{back:?}");
-    assert_eq!(code(&JsValue::from(CircleMap::solve(&region(FRAME).unwrap(), None).err().unwrap())), "wrong-region");
 }
 
 #[wasm_bindgen_test]

@@ -34,7 +34,20 @@ impl CanonicalMap {
             Self::HalfPlane(map) => map,
         }
     }
+
+    /// A point of the canonical region, brought back onto a ring's circle if it is beyond that by no more than errors: boundaries
+    /// go to boundaries.
+    fn settled(&self, w: Complex64) -> Complex64 {
+        let Self::Ring(map) = self else { return w };
+        let radius = w.norm();
+        let nearest = radius.clamp(map.inner_radius(), 1.0);
+        let beyond = (radius / nearest - 1.0).abs();
+        if beyond <= map.error_estimate() + BEYOND { w * (nearest / radius) } else { w }
+    }
 }
+
+/// Rounding in the place of a circle, relative to its radius.
+const BEYOND: f64 = 1e-13;
 
 macro_rules! from_maps {
     ($($kind:ident $map:ident),*) => {
@@ -273,7 +286,7 @@ fn values(points: &[Complex64], map: &dyn Fn(&[Complex64], &mut [Jet])) -> Vec<C
 fn through(points: &[Complex64], jets: &mut [Jet], there: &CanonicalMap, between: Between, back: &CanonicalMap) {
     there.map().jets(points, jets);
     jets.iter_mut().for_each(|jet| *jet = between.jet(jet.value).after(jet));
-    let images: Vec<Complex64> = jets.iter().map(|jet| jet.value).collect();
+    let images: Vec<Complex64> = jets.iter().map(|jet| back.settled(jet.value)).collect();
     let mut last = vec![Jet::UNDEFINED; points.len()];
     back.map().inverse_jets(&images, &mut last);
     jets.iter_mut().zip(last).for_each(|(jet, last)| *jet = last.after(jet));

@@ -166,23 +166,11 @@ impl Canonical {
         Some((z, if self.form.exponential { slope / w } else { slope }))
     }
 
-    /// The form.
-    #[must_use]
-    pub fn form(&self) -> &Form {
-        &self.form
-    }
-
     /// (k, k') at a point of the boundary, k being continuous along a component around which it does not grow.
     #[must_use]
     pub fn key_on_boundary(&self, point: DomainPoint) -> (Complex64, Complex64) {
         let (value, slope) = self.field.on_boundary(point);
         (self.form.factor * value + self.form.shift, self.form.factor * slope)
-    }
-
-    /// The point where k is `target`, up to `reached`.
-    #[must_use]
-    pub fn seek(&self, target: Complex64, reached: f64) -> Option<Complex64> {
-        self.from_seeds(target, reached).map(|(z, _)| z)
     }
 
     /// (z, k') where k is `target`, by Newton's method from what lies near.

@@ -5,7 +5,6 @@
 
 mod annulus;
 mod canonical;
-mod circles;
 mod curve_squares;
 mod cuts;
 mod electrostatics;
@@ -26,7 +25,6 @@ mod solved;
 mod wall_patch;
 
 pub use annulus::{AnnulusMap, RingLines};
-pub use circles::{Circle, CircleMap};
 pub use electrostatics::{Conductors, Electrostatics};
 pub use exterior::ExteriorMap;
 pub use flow::{Circulation, FlowLines, PotentialFlow};

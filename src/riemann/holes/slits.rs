@@ -59,19 +59,7 @@ pub struct SlitMap {
     map: Canonical,
     kind: SlitKind,
     slits: Vec<Slit>,
-    /// Of the components that become slits.
-    ends: Vec<SlitEnds>,
     evidence: Evidence,
-}
-
-/// Where on a component Im B is largest, and where smallest: what goes to the slit's ends.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct SlitEnds {
-    pub component: usize,
-    /// Counted as [`Domain::place_along`] does.
-    pub places: [f64; 2],
-    /// k there.
-    pub keys: [Complex64; 2],
 }
 
 impl SlitMap {
@@ -87,10 +75,8 @@ impl SlitMap {
         let form = form_of(&field, solved.scale(), kind);
         let strip = strip_of(&field, kind);
         let map = Canonical::new(field, form, strip);
-        let ends = ends(&map, kind);
-        let image = |key: Complex64| if form.exponential { key.exp() } else { key };
-        let slits = ends.iter().map(|ends| Slit { ends: ends.keys.map(image) }).collect();
-        Ok(Self { map, kind, slits, ends, evidence: solved.evidence })
+        let slits = slits(&map, kind, form.exponential);
+        Ok(Self { map, kind, slits, evidence: solved.evidence })
     }
 
     /// The domain.
@@ -129,17 +115,7 @@ impl SlitMap {
         self.map.slopes(points)
     }
 
-    /// The map as its function B.
-    pub(super) fn canonical(&self) -> &Canonical {
-        &self.map
-    }
-
-    /// What goes to the ends of each slit.
-    pub(super) fn ends(&self) -> &[SlitEnds] {
-        &self.ends
-    }
-
-    pub(super) fn place(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+    fn place(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
         match self.kind {
             SlitKind::Disk | SlitKind::Annulus { .. } => {
                 let (low, high) = strip_of(self.map.field(), self.kind);
@@ -245,19 +221,19 @@ fn regular_part(field: &DomainField, factor: Complex64, center: Complex64) -> Co
     parts.sum::<Complex64>() / f64::from(POINTS)
 }
 
-/// The ends of the slits that components go to.
-fn ends(map: &Canonical, kind: SlitKind) -> Vec<SlitEnds> {
+/// The slits that components go to.
+fn slits(map: &Canonical, kind: SlitKind, exponential: bool) -> Vec<Slit> {
     let is_slit = |component: usize| match kind {
         SlitKind::Disk => component > 0,
         SlitKind::Annulus { hole } => component > 0 && component != hole + 1,
         SlitKind::Parallel { .. } | SlitKind::Radial { .. } => true,
     };
     let count = map.domain().contours().len();
-    (0..count).filter(|&component| is_slit(component)).map(|component| ends_of(map, component)).collect()
+    (0..count).filter(|&component| is_slit(component)).map(|component| slit(map, component, exponential)).collect()
 }
 
 /// Im B goes up and down once around a slit: its ends are the extremes.
-fn ends_of(map: &Canonical, component: usize) -> SlitEnds {
+fn slit(map: &Canonical, component: usize, exponential: bool) -> Slit {
     let point = |place: f64| map.domain().place_along(component, place);
     let edges = map.domain().contours()[component].polygon().len();
     let extreme = |sign: f64| {
@@ -265,10 +241,10 @@ fn ends_of(map: &Canonical, component: usize) -> SlitEnds {
         let places = (0..edges * SAMPLES).map(|k| k as f64 / SAMPLES as f64);
         let value = |place: f64| sign * map.field().on_boundary(point(place)).0.im;
         let best = places.max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap_or(0.0);
-        peak(&value, best - 1.0 / SAMPLES as f64, best + 1.0 / SAMPLES as f64)
+        let key = map.key_on_boundary(point(peak(&value, best - 1.0 / SAMPLES as f64, best + 1.0 / SAMPLES as f64))).0;
+        if exponential { key.exp() } else { key }
     };
-    let places = [extreme(1.0), extreme(-1.0)];
-    SlitEnds { component, places, keys: places.map(|place| map.key_on_boundary(point(place)).0) }
+    Slit { ends: [extreme(1.0), extreme(-1.0)] }
 }
 
 evidence_methods!(SlitMap, "of log w; of parallel slits, of w in units of the domain's size or its inverse.");
