@@ -195,8 +195,19 @@ impl Canonical {
             return self.inverse(w);
         }
         let circle = if near(low) { low } else { high };
-        let (z, slope) = self.inverse(w * (circle - log).exp())?;
+        let w = w * (circle - log).exp();
+        let (z, slope) = self.inverse(w).or_else(|| self.vertex_at(w.ln()))?;
         Some((self.domain().nearest(z).place.point, slope))
+    }
+
+    /// The vertex that goes to `target`, and dz/dw there: where a slope is infinite, Newton's method does not arrive.
+    #[cold]
+    fn vertex_at(&self, target: Complex64) -> Option<(Complex64, Complex64)> {
+        let polygons = self.domain().contours().iter().filter(|contour| contour.smooth().is_none());
+        let mut vertices = polygons.flat_map(|contour| contour.polygon().vertices());
+        let found =
+            vertices.find(|&&z| self.key(z).is_some_and(|(key, _)| self.miss(key, target).norm() <= REACHED))?;
+        Some((*found, Complex64::ZERO))
     }
 
     /// k − target, on the branch nearest to 0.
