@@ -26,8 +26,10 @@ before(async () => {
   const map = RiemannMap.solve(region);
   const square = (/** @type {number} */ half) => new Float64Array([-half, -half, half, -half, half, half, -half, half]);
   const ring = new Region({ boundary: square(1), holes: [square(0.5)] });
+  const annulus = AnnulusMap.solve(ring);
   const holed = {
-    AnnulusMap: AnnulusMap.solve(ring),
+    AnnulusMap: annulus,
+    LevelLines: annulus.levelLines("circles", new Float64Array([0.8])),
     RectangleMap: RectangleMap.solve(region, { corners: [[-1, -1], [1, -1], [1, 1], [-1, 1]] }),
     StripMap: StripMap.solve(region, { ends: [[-1, 0], [1, 0]] }),
     HalfPlaneMap: HalfPlaneMap.solve(region, { pole: [1, 1] }),
