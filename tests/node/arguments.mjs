@@ -88,6 +88,7 @@ function wrongFor(type) {
   const length = /** @type {[string, unknown]} */ (["{ length: 1e9 }", { length: 1e9 }]);
   if (resolved === "number") return [...common, string, object, ["[1]", [1]]];
   if (resolved === "Count") return [...common, string, object, ["1.5", 1.5], ["-1", -1], ["NaN", NaN], ["2³² + 1", 2 ** 32 + 1], ["\"1\"", "1"]];
+  if (resolved === "boolean") return [...common.filter(([what]) => what !== "true"), number, string, object];
   if (resolved === "string") return [...common, number, object, ["[\"z\"]", ["z"]]];
   if (resolved === "function") return common.filter(([what]) => what !== "null object").concat([number, string, object]);
   if (typeof resolved === "string") return [...common, number, string, object, length, ["[\"1\"]", ["1"]], ["a Map", new Map()], ["a BigInt64Array", new BigInt64Array(2)]];
