@@ -1,4 +1,4 @@
-// The package in a Next application, bundled by Turbopack and by webpack: on a page, and in a route that computes on the server.
+// The package in a Next application, bundled by Turbopack: on a page, and in a route that computes on the server.
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -27,32 +27,30 @@ function route() {
   return code;
 }
 
-for (const [bundler, flags] of /** @type {const} */ ([["turbopack", []], ["webpack", ["--webpack"]]])) {
-  test(`Next with ${bundler}`, async () => {
-    const folder = project(`next-${bundler}`, undefined, {
-      // The tests' packages lie above the project.
-      "next.config.mjs": `export default { turbopack: { root: ${JSON.stringify(work)} }, outputFileTracingRoot: ${JSON.stringify(work)} };`,
-      "app/layout.js": "export default function Layout({ children }) { return <html><body>{children}</body></html>; }",
-      "app/page.js": `
-        "use client";
-        import { useEffect } from "react";
-        import init, * as warp from "conformal-warp";
-        import { work } from "../work.js";
-        export default function Page() {
-          useEffect(() => { init().then(() => { globalThis.result = work(warp); }, (error) => { globalThis.result = error.message; }); }, []);
-          return <p>conformal</p>;
-        }`,
-      "app/radius/route.js": `export const dynamic = "force-dynamic";\n${route()}`,
-    });
-    await run(folder, [process.execPath, next, "build", ...flags], quiet);
-    const port = await freePort();
-    const server = spawn(process.execPath, [next, "start", "-p", String(port)], { cwd: folder, env: { ...process.env, ...quiet }, stdio: "ignore" });
-    try {
-      const { radius } = /** @type {any} */ (await (await answer(`http://127.0.0.1:${port}/radius`)).json());
-      assert.equal(radius.toFixed(10), expected.split(" ")[0]);
-      assert.equal(await resultAt(`http://127.0.0.1:${port}/`), expected);
-    } finally {
-      server.kill();
-    }
+test("Next with Turbopack", async () => {
+  const folder = project("next", undefined, {
+    // The tests' packages lie above the project.
+    "next.config.mjs": `export default { turbopack: { root: ${JSON.stringify(work)} }, outputFileTracingRoot: ${JSON.stringify(work)} };`,
+    "app/layout.js": "export default function Layout({ children }) { return <html><body>{children}</body></html>; }",
+    "app/page.js": `
+      "use client";
+      import { useEffect } from "react";
+      import init, * as warp from "conformal-warp";
+      import { work } from "../work.js";
+      export default function Page() {
+        useEffect(() => { init().then(() => { globalThis.result = work(warp); }, (error) => { globalThis.result = error.message; }); }, []);
+        return <p>conformal</p>;
+      }`,
+    "app/radius/route.js": `export const dynamic = "force-dynamic";\n${route()}`,
   });
-}
+  await run(folder, [process.execPath, next, "build"], quiet);
+  const port = await freePort();
+  const server = spawn(process.execPath, [next, "start", "-p", String(port)], { cwd: folder, env: { ...process.env, ...quiet }, stdio: "ignore" });
+  try {
+    const { radius } = /** @type {any} */ (await (await answer(`http://127.0.0.1:${port}/radius`)).json());
+    assert.equal(radius.toFixed(10), expected.split(" ")[0]);
+    assert.equal(await resultAt(`http://127.0.0.1:${port}/`), expected);
+  } finally {
+    server.kill();
+  }
+});
