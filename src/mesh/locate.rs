@@ -4,7 +4,7 @@ use super::correspondence::Correspondence;
 use super::scan::{self, CLEARANCE};
 use super::side::{Outline, Side};
 use crate::Result;
-use crate::plane::{BoundaryPoint, Complex64};
+use crate::plane::{BoundaryPoint, Complex64, NOWHERE};
 use crate::riemann::RegionMap;
 use spade::{DelaunayTriangulation, HasPosition, Point2, PositionInTriangulation, Triangulation};
 
@@ -52,9 +52,8 @@ impl<'a> Located<'a> {
 
     /// The affine map of the triangle around w; NaN outside the triangulation, or where its triangle is flipped.
     fn at(&self, w: Complex64) -> Complex64 {
-        let undefined = Complex64::new(f64::NAN, f64::NAN);
         if !w.is_finite() {
-            return undefined;
+            return NOWHERE;
         }
         let face = match self.samples.locate(Point2::new(w.re, w.im)) {
             PositionInTriangulation::OnVertex(vertex) => return self.samples.vertex(vertex).data().region,
@@ -63,10 +62,10 @@ impl<'a> Located<'a> {
                 let edge = self.samples.directed_edge(edge);
                 match edge.face().as_inner().or(edge.rev().face().as_inner()) {
                     Some(face) => face.fix(),
-                    None => return undefined,
+                    None => return NOWHERE,
                 }
             }
-            _ => return undefined,
+            _ => return NOWHERE,
         };
         let corners = self.samples.face(face).vertices().map(|v| *v.data());
         let [a, b, c] = corners.map(|s| Complex64::new(s.disk.x, s.disk.y));
@@ -74,7 +73,7 @@ impl<'a> Located<'a> {
         let area = cross(b - a, c - a);
         let (s, t) = (cross(w - a, c - a) / area, cross(b - a, w - a) / area);
         let [a, b, c] = corners.map(|s| s.region);
-        if cross(b - a, c - a) > 0.0 { a + (b - a) * s + (c - a) * t } else { undefined }
+        if cross(b - a, c - a) > 0.0 { a + (b - a) * s + (c - a) * t } else { NOWHERE }
     }
 }
 

@@ -26,3 +26,6 @@ pub use polygon::{BoundaryPoint, Polygon};
 pub use region::Region;
 pub use smooth_curve::SmoothCurve;
 pub(crate) use sorting::{sort_by, sort_by_number};
+
+/// The image of what has none.
+pub(crate) const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);

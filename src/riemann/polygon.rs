@@ -3,7 +3,7 @@
 use super::atlas::{DiskPoint, Expansions, Found, Position};
 use super::rounding::onto_disk;
 use super::solved_region::{Evidence, SolvedRegion};
-use crate::plane::{BoundaryPoint, Complex64, Region};
+use crate::plane::{BoundaryPoint, Complex64, NOWHERE, Region};
 use crate::stored::{Reader, Writer};
 use crate::symm::center::move_center;
 use crate::symm::options::{Progress, SolveOptions};
@@ -95,7 +95,7 @@ impl SolvedPolygon {
         let inwards = Complex64::i() * (b - a) / (b - a).norm();
         let beside = place.point + inwards * (BESIDE * polygon.size());
         let found = self.expansions().to_disk_with_slope(beside * self.unit());
-        found.image().map_or(Complex64::new(f64::NAN, f64::NAN), |(_, slope)| slope)
+        found.image().map_or(NOWHERE, |(_, slope)| slope)
     }
 
     /// The image of a point beside what expansions know: on the circle, if rounding put it there.

@@ -4,7 +4,7 @@ use super::RiemannMap;
 use super::atlas::Passage;
 use super::doubt::Doubt;
 use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap, pointwise};
-use crate::plane::{BoundaryPoint, Complex64};
+use crate::plane::{BoundaryPoint, Complex64, NOWHERE};
 use crate::stored::{Kind, read, written};
 use crate::{Error, Result};
 use std::sync::{Arc, OnceLock};
@@ -197,7 +197,7 @@ impl Way<'_> {
     fn values(&self, points: &[Complex64]) -> Vec<Complex64> {
         let value = |&z| match self.image(z) {
             Image::At(image) => image,
-            Image::Outside | Image::Untold => Complex64::new(f64::NAN, f64::NAN),
+            Image::Outside | Image::Untold => NOWHERE,
         };
         points.iter().map(value).collect()
     }
@@ -205,7 +205,7 @@ impl Way<'_> {
     fn told_values(&self, points: &[Complex64]) -> Result<Vec<Complex64>> {
         let value = |&z| match self.image(z) {
             Image::At(image) => Ok(image),
-            Image::Outside => Ok(Complex64::new(f64::NAN, f64::NAN)),
+            Image::Outside => Ok(NOWHERE),
             Image::Untold => Err(Error::TooFarApart { at: z }),
         };
         points.iter().map(value).collect()

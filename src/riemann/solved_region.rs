@@ -5,14 +5,11 @@ pub(super) use super::evidence::Evidence;
 use super::rounding::onto_disk;
 use crate::Result;
 use crate::map::{Jet, pointwise};
-use crate::plane::{BoundaryPoint, Complex64};
+use crate::plane::{BoundaryPoint, Complex64, NOWHERE};
 use crate::stored::Writer;
 use crate::symm::options::{Progress, SolveOptions};
 use std::fmt::Debug;
 use std::sync::Arc;
-
-/// The image of what has none.
-pub(super) const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 
 /// A region with its solution of Symm's equation: region ↔ disk with vertex 0 ↦ 1, in plane units, with the evidence.
 ///

@@ -11,7 +11,6 @@ pub mod annulus;
 #[cfg(feature = "regions")]
 pub mod canonical;
 #[cfg(feature = "regions")]
-#[cfg(feature = "regions")]
 pub mod cortex;
 #[cfg(feature = "regions")]
 pub mod electrostatics;

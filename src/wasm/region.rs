@@ -4,7 +4,7 @@ use super::error::Failure;
 use super::options::{self, Point};
 use super::points;
 use crate::Error;
-use crate::plane::{self, Complex64, Curve, Domain};
+use crate::plane::{self, Complex64, Curve, Domain, NOWHERE};
 use js_sys::Array;
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
@@ -167,8 +167,6 @@ impl Region {
         Ok(points.iter().map(|z| u8::from(contains(z))).collect())
     }
 }
-
-const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 
 impl Region {
     /// The region itself, for classes whose regions have no holes.

@@ -2,7 +2,7 @@
 
 use super::power_series::{MAX_COEFFICIENTS, value_and_slope};
 use super::zone::{Place, SHARE, Zone};
-use crate::plane::Complex64;
+use crate::plane::{Complex64, NOWHERE};
 use std::f64::consts::PI;
 
 /// Writes the coefficients of tᵏ of a function at center + radius·t.
@@ -21,7 +21,6 @@ pub struct ArcSampler<'a> {
     coefficients: [Complex64; TERMS],
 }
 
-const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 /// Coefficients of the series.
 const TERMS: usize = 24;
 const _: () = assert!(TERMS <= MAX_COEFFICIENTS);

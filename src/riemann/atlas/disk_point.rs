@@ -1,6 +1,6 @@
 //! Points of the disk that keep their places apart.
 
-use crate::plane::Complex64;
+use crate::plane::{Complex64, NOWHERE};
 
 /// A point of the closed disk in the chart where it is told apart best.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,7 +13,7 @@ pub struct DiskPoint {
 
 impl DiskPoint {
     /// No point.
-    pub const NOWHERE: Self = Self { chart: 0, w: Complex64::new(f64::NAN, f64::NAN) };
+    pub const NOWHERE: Self = Self { chart: 0, w: NOWHERE };
 
     /// The nearest point of the circle.
     pub(in super::super) fn onto_circle(self) -> Self {

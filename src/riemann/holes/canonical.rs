@@ -5,7 +5,7 @@ use super::inverse_tree::{InverseTree, Inverted, Origin, Pair};
 use super::seeds::Seeds;
 use crate::Result;
 use crate::map::{Jet, pointwise};
-use crate::plane::{Complex64, Domain, DomainPoint};
+use crate::plane::{Complex64, Domain, DomainPoint, NOWHERE};
 use crate::symm::options::Progress;
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -90,7 +90,7 @@ impl Canonical {
     #[inline]
     fn inverting<T>(&self, back: &Back, what: impl FnOnce(&Inverted) -> T) -> T {
         let newton = |target: Complex64, z: Complex64| {
-            let (z, slope) = self.newton(target, z, REACHED)?;
+            let (z, slope) = self.newton(target, z)?;
             Some(Pair { key: target, z, slope: slope.inv() })
         };
         let (strip, accuracy, size) = (self.strip, self.field.accuracy(), self.size);
@@ -156,11 +156,11 @@ impl Canonical {
         let back = self.back();
         let found = match self.inverting(back, |inverted| back.tree.at(target, inverted)) {
             Origin::Known(z, slope) => Some((z, slope)),
-            Origin::Near(pair) => self.newton(target, pair.guess(target), REACHED).map(|(z, slope)| (z, slope.inv())),
+            Origin::Near(pair) => self.newton(target, pair.guess(target)).map(|(z, slope)| (z, slope.inv())),
             Origin::Unknown => None,
         };
         let (z, slope) = found.or_else(|| {
-            let (z, slope) = self.from_seeds(target, REACHED)?;
+            let (z, slope) = self.from_seeds(target)?;
             Some((z, slope.inv()))
         })?;
         Some((z, if self.form.exponential { slope / w } else { slope }))
@@ -175,10 +175,10 @@ impl Canonical {
 
     /// (z, k') where k is `target`, by Newton's method from what lies near.
     #[cold]
-    fn from_seeds(&self, target: Complex64, reached: f64) -> Option<(Complex64, Complex64)> {
+    fn from_seeds(&self, target: Complex64) -> Option<(Complex64, Complex64)> {
         let candidates = self.back().seeds.near(target, CANDIDATES);
-        let direct = candidates.iter().find_map(|&(_, z)| self.newton(target, z, reached));
-        direct.or_else(|| candidates.iter().find_map(|&(key, z)| self.walk(key, z, target, reached)))
+        let direct = candidates.iter().find_map(|&(_, z)| self.newton(target, z));
+        direct.or_else(|| candidates.iter().find_map(|&(key, z)| self.walk(key, z, target)))
     }
 
     /// [`Canonical::inverse`] between the circles |w| = e^low and |w| = e^high, which belong to it up to rounding, and go to the
@@ -220,7 +220,7 @@ impl Canonical {
     }
 
     /// Newton's method for k(z) = target, with steps that stay in the domain and come nearer: z, and k' there.
-    fn newton(&self, target: Complex64, z: Complex64, reached: f64) -> Option<(Complex64, Complex64)> {
+    fn newton(&self, target: Complex64, z: Complex64) -> Option<(Complex64, Complex64)> {
         let (mut z, (key, mut slope)) = self.key_inside(z)?;
         let rounding = ROUNDING * (1.0 + target.norm());
         let mut miss = self.miss(key, target);
@@ -249,19 +249,16 @@ impl Canonical {
                 break;
             }
         }
-        (miss.norm() <= reached).then_some((z, slope))
+        (miss.norm() <= REACHED).then_some((z, slope))
     }
 
     /// From a known pair along the straight way.
-    fn walk(&self, key: Complex64, z: Complex64, target: Complex64, reached: f64) -> Option<(Complex64, Complex64)> {
+    fn walk(&self, key: Complex64, z: Complex64, target: Complex64) -> Option<(Complex64, Complex64)> {
         let way = -self.miss(key, target);
         let mut steps = 4;
         while steps <= LONGEST_WAY {
             let start = (z, Complex64::ZERO);
-            let found = (1..=steps).try_fold(start, |(z, _), k| {
-                let reached = if k == steps { reached } else { REACHED };
-                self.newton(key + way * (k as f64 / steps as f64), z, reached)
-            });
+            let found = (1..=steps).try_fold(start, |(z, _), k| self.newton(key + way * (k as f64 / steps as f64), z));
             if found.is_some() {
                 return found;
             }
@@ -299,8 +296,6 @@ impl Canonical {
 
 /// log|w| differs by less than this from that of points on a circle.
 const ON_CIRCLE: f64 = 1e-14;
-/// The image of what has none.
-const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 
 /// The places of images; NaN where there is none.
 #[must_use]

@@ -1,5 +1,6 @@
 //! L in squares of a domain that smooth curves bound: power series, each made when a point of its square is first asked for.
 
+use super::super::atlas::power_series::value_and_slope;
 use super::cuts::Cuts;
 use super::inside::{Ground, Inside};
 use super::lazy_tree::{Decision, LazyTree, Square};
@@ -67,12 +68,7 @@ impl CurveSquares {
             Some(CurveLeaf::Near) => Inside::Unknown,
             Some(CurveLeaf::Outside) => Inside::Outside,
             Some(CurveLeaf::Series { center, radius, coefficients }) => {
-                let t = (z - center) / radius;
-                let (mut value, mut slope) = (Complex64::ZERO, Complex64::ZERO);
-                for c in coefficients.iter().rev() {
-                    slope = slope * t + value;
-                    value = value * t + c;
-                }
+                let (value, slope) = value_and_slope(coefficients, (z - center) / radius);
                 Inside::Log(value, slope / radius)
             }
         }

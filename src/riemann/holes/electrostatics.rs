@@ -4,7 +4,7 @@ use super::super::evidence::{Evidence, evidence_methods};
 use super::field::DomainField;
 use super::level_lines::{Function, LevelLine};
 use super::solved::Solved;
-use crate::plane::{Complex64, Domain};
+use crate::plane::{Complex64, Domain, NOWHERE};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::problem::Problem;
 use crate::{Error, Result};
@@ -202,8 +202,7 @@ impl Electrostatics {
     /// The electric field E, as x + iy, at points; NaN inside conductors.
     #[must_use]
     pub fn field(&self, points: &[Complex64]) -> Vec<Complex64> {
-        let nowhere = Complex64::new(f64::NAN, f64::NAN);
-        points.iter().map(|&z| self.field.fast(z).map_or(nowhere, |(_, slope)| slope.conj() / TAU)).collect()
+        points.iter().map(|&z| self.field.fast(z).map_or(NOWHERE, |(_, slope)| slope.conj() / TAU)).collect()
     }
 }
 

@@ -96,11 +96,7 @@ impl Evaluator {
     #[inline]
     #[must_use]
     pub fn at(&self, z: Complex64) -> Found {
-        let inside = match &self.squares {
-            Squares::Polygons(squares) => squares.at(z),
-            Squares::Curves(squares) => squares.at(z),
-        };
-        match (inside, &self.far) {
+        match (self.inside(z), &self.far) {
             (Inside::Log(value, slope), _) => self.less_source(z, (value, slope)),
             (Inside::Whole(value, slope), _) => Found::Known(value, slope),
             (Inside::Unknown, _) => Found::Unknown,
@@ -112,11 +108,7 @@ impl Evaluator {
     /// What is to be added to B as [`Evaluator::at`] has it, to have it on the branch of direct summation.
     #[must_use]
     pub fn branch(&self, z: Complex64) -> Complex64 {
-        let inside = match &self.squares {
-            Squares::Polygons(squares) => squares.at(z),
-            Squares::Curves(squares) => squares.at(z),
-        };
-        match (inside, &self.far, &self.squares) {
+        match (self.inside(z), &self.far, &self.squares) {
             (Inside::Beyond, Some(far), _) => self.cuts.differing(far.middle(), z),
             (_, _, Squares::Polygons(squares)) => squares.branch(z, [&self.cuts, &self.cuts_with_source]),
             (_, _, Squares::Curves(squares)) => squares.branch(z, &self.cuts),
@@ -127,6 +119,15 @@ impl Evaluator {
     #[must_use]
     pub fn jump(&self, from: Complex64, to: Complex64) -> Complex64 {
         self.cuts_with_source.jump(from, to)
+    }
+
+    /// What the squares say of a point.
+    #[inline]
+    fn inside(&self, z: Complex64) -> Inside {
+        match &self.squares {
+            Squares::Polygons(squares) => squares.at(z),
+            Squares::Curves(squares) => squares.at(z),
+        }
     }
 
     #[inline]

@@ -1,5 +1,6 @@
 //! L far from all bodies: Q log(z − m) + Σ aₖ (R/(z − m))ᵏ.
 
+use super::super::atlas::power_series::value_and_slope;
 use crate::plane::Complex64;
 use crate::plane::fourier::transform;
 use std::f64::consts::TAU;
@@ -49,11 +50,7 @@ impl FarSeries {
     pub fn at(&self, z: Complex64) -> (Complex64, Complex64) {
         let from = z - self.middle;
         let u = self.radius / from;
-        let (mut value, mut slope) = (Complex64::ZERO, Complex64::ZERO);
-        for a in self.coefficients.iter().rev() {
-            slope = slope * u + value;
-            value = value * u + a;
-        }
+        let (value, slope) = value_and_slope(&self.coefficients, u);
         // d/dz (value·u) = (value + slope·u)·u' with u' = −u/(z − m).
         let by_z = -(value + slope * u) * u / from;
         if self.charge == 0.0 {

@@ -5,7 +5,7 @@ use super::field::DomainField;
 use super::level_lines::{Function, LevelLine};
 use super::peak::peak;
 use super::solved::Solved;
-use crate::plane::{Complex64, Domain};
+use crate::plane::{Complex64, Domain, NOWHERE};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::problem::{Problem, Source};
 use crate::{Error, Result};
@@ -137,8 +137,7 @@ impl PotentialFlow {
     /// The complex potential W = φ + iψ at points; NaN inside bodies. With circulation φ jumps across a cut behind each body.
     #[must_use]
     pub fn potential(&self, points: &[Complex64]) -> Vec<Complex64> {
-        let nowhere = Complex64::new(f64::NAN, f64::NAN);
-        points.iter().map(|&z| self.field.branched(z).map_or(nowhere, |(b, _)| self.factor * b + self.shift)).collect()
+        points.iter().map(|&z| self.field.branched(z).map_or(NOWHERE, |(b, _)| self.factor * b + self.shift)).collect()
     }
 
     /// The stream function ψ at points: constant along streamlines, and on each body; NaN inside bodies.
@@ -185,8 +184,7 @@ impl PotentialFlow {
     /// The velocity u + iv at points; NaN inside bodies, infinite at a corner that the fluid goes around.
     #[must_use]
     pub fn velocity(&self, points: &[Complex64]) -> Vec<Complex64> {
-        let nowhere = Complex64::new(f64::NAN, f64::NAN);
-        points.iter().map(|&z| self.slope(z).map_or(nowhere, |slope| slope.conj())).collect()
+        points.iter().map(|&z| self.slope(z).map_or(NOWHERE, |slope| slope.conj())).collect()
     }
 
     /// The pressure coefficient 1 − |u|²/U² at points.

@@ -2,6 +2,7 @@
 //! square is decided when a key in it is first asked for.
 
 use super::super::atlas::accuracy::Accuracy;
+use super::super::atlas::power_series::value_and_slope;
 use super::lazy_tree::{Decision, LazyTree, Square};
 use super::seeds::Seeds;
 use crate::Result;
@@ -113,12 +114,7 @@ impl InverseTree {
     pub fn at(&self, key: Complex64, inverted: &Inverted) -> Origin {
         match self.tree.find(key, &|square, known| self.decide(inverted, square, *known)) {
             Some(InverseLeaf::Series { center, radius, coefficients }) => {
-                let t = (key - center) / radius;
-                let (mut z, mut slope) = (Complex64::ZERO, Complex64::ZERO);
-                for c in coefficients.iter().rev() {
-                    slope = slope * t + z;
-                    z = z * t + c;
-                }
+                let (z, slope) = value_and_slope(coefficients, (key - center) / radius);
                 Origin::Known(z, slope / radius)
             }
             Some(InverseLeaf::Near(pair)) => Origin::Near(*pair),

@@ -3,11 +3,10 @@
 use super::super::RiemannMap;
 use super::super::atlas::DiskPoint;
 use super::super::rounding::{is_on_circle, onto_disk};
-use super::super::solved_region::NOWHERE;
 use super::elliptic::{exp_m1, ln_1p};
 use super::marks::Marks;
 use crate::map::{Jet, pointwise};
-use crate::plane::Complex64;
+use crate::plane::{Complex64, NOWHERE};
 
 /// A mark, and a point of its home chart less the mark, with the relative accuracy of that distance.
 pub type Gap = (usize, Complex64);
