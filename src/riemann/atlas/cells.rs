@@ -3,6 +3,12 @@
 use super::power_series::{value, value_and_slope};
 use crate::plane::Complex64;
 
+/// More cells and patches than this are not made; what is left is summed directly.
+pub const MOST_CELLS: usize = 400_000;
+/// Sources are summed for a disk of at most this share of the distance to the wall: nearer to it they would have to be cut
+/// small. The function's own series goes on beyond.
+pub const SHARE_OF_SUM: f64 = 0.5;
+
 /// A disk with a Taylor polynomial.
 #[derive(Clone, Copy, Debug)]
 pub struct Cell {

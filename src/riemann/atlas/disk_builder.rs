@@ -7,7 +7,7 @@ use super::inverse_cell::{Inverter, Pair};
 use super::leaf::Leaf;
 use super::patch::Patch;
 use super::patches::Patches;
-use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step};
+use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step, Watch};
 use super::region_builder::LEAST_SLOPE;
 use super::region_side::RegionSide;
 use crate::plane::{Complex64, sort_by_number};
@@ -42,9 +42,6 @@ pub struct DiskParts {
     pub seeds: Vec<Pair>,
 }
 
-/// Squares between two reports.
-const SQUARES_PER_REPORT: usize = 256;
-
 /// Cuts a chart's disk. The squares number at most [`FEWEST_SQUARES`] and [`SQUARES_PER_EXPANSION`] for each cell and zone of
 /// the region, which are in proportion to its vertices. Once `progress` has returned false nothing more is cut, and the rest is of
 /// no use.
@@ -68,15 +65,9 @@ pub fn build(atlas: &Atlas, region: &RegionSide, chart: usize, accuracy: Accurac
         size: region.size(),
         seeds: Vec::new(),
     };
-    let (mut seen, mut done, mut stopped) = (0usize, 0.0, false);
+    let mut watch = Watch::default();
     tree.grow(tree.root(), (Rc::new(seeds), center), &mut |square, known| {
-        stopped = stopped || (seen.is_multiple_of(SQUARES_PER_REPORT) && !progress("expand", done));
-        seen += 1;
-        let step = if stopped { Step::Leaf(Leaf::Outside.into()) } else { builder.decide(square, &known) };
-        if matches!(step, Step::Leaf(_)) {
-            done += 0.25f64.powi(square.level as i32);
-        }
-        step
+        watch.step(square, Leaf::Outside.into(), progress, || builder.decide(square, &known))
     });
     tree.finish();
     DiskParts { tree, cells: builder.cells, patches: builder.patches.list, seeds: builder.seeds }

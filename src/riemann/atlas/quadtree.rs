@@ -1,6 +1,7 @@
 //! A quadtree whose leaves are found in constant time.
 
 use crate::plane::Complex64;
+use crate::symm::options::Progress;
 
 /// A square of the plane that is split into quarters until every part is something known: a leaf, which carries a number.
 #[derive(Clone, Debug)]
@@ -36,6 +37,51 @@ const LEAF: u32 = 1 << 31;
 /// Squares are not split more often.
 pub const MAX_LEVEL: u32 = 30;
 const MAX_GRID_LEVEL: u32 = 10;
+
+/// Squares between two reports.
+const SQUARES_PER_REPORT: usize = 128;
+
+/// Tells how much of a tree is decided, and decides no more once nobody wants it.
+#[derive(Debug, Default)]
+pub struct Watch {
+    seen: usize,
+    /// The share of the whole that is decided.
+    done: f64,
+    stopped: bool,
+}
+
+impl Watch {
+    /// What `decide` makes of a square; the leaf `rest` once `progress` has returned false.
+    pub fn step<T>(
+        &mut self,
+        square: Square,
+        rest: u32,
+        progress: Progress,
+        decide: impl FnOnce() -> Step<T>,
+    ) -> Step<T> {
+        self.stopped = self.stopped || (self.seen.is_multiple_of(SQUARES_PER_REPORT) && !progress("expand", self.done));
+        self.seen += 1;
+        if self.stopped {
+            return Step::Leaf(rest);
+        }
+        let step = decide();
+        if matches!(step, Step::Leaf(_)) {
+            self.done += 0.25f64.powi(square.level as i32);
+        }
+        step
+    }
+}
+
+/// The middle of the square around points, and half its side: a little more, so that none lies on its edge.
+#[must_use]
+pub fn square_around(points: &[Complex64]) -> (Complex64, f64) {
+    let start = points[0];
+    let (low, high) = points.iter().fold((start, start), |(low, high), v| {
+        (Complex64::new(low.re.min(v.re), low.im.min(v.im)), Complex64::new(high.re.max(v.re), high.im.max(v.im)))
+    });
+    let size = high - low;
+    (0.5 * (low + high), 0.507 * size.re.max(size.im))
+}
 
 impl Quadtree {
     /// A square with nothing decided. Call [`Quadtree::grow`] with its [`Quadtree::root`], then [`Quadtree::finish`].

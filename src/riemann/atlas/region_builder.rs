@@ -1,33 +1,22 @@
 //! How the region is cut into cells and patches for the map region → disk.
 
 use super::accuracy::Accuracy;
-use super::cells::Cells;
+use super::cells::{Cells, MOST_CELLS, SHARE_OF_SUM};
 use super::charts::{Atlas, BETTER};
 use super::leaf::Leaf;
 use super::patches::Patches;
 use super::power_series::{MAX_COEFFICIENTS, rescale};
-use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step};
-use super::walls::Nearest;
+use super::quadtree::{MAX_LEVEL, Quadtree, Square, Step, Watch, square_around};
+use super::walls::{Lie, Nearest};
 use crate::plane::Complex64;
 use crate::symm::options::Progress;
 use crate::symm::panel::Boundary;
 use std::sync::Arc;
 
-/// A cell's polynomial is tried where its radius is at most this share of the distance to the wall,
-const SHARE_OF_WALL: f64 = 0.9;
-/// and this one of the distance to a corner where the map is singular.
-const SHARE_OF_CORNER: f64 = 0.6;
-/// Sources are summed for a disk of at most this share of the distance to the wall: nearer to it they would have to be cut
-/// small. The map's own series goes on beyond.
-const SHARE_OF_SUM: f64 = 0.5;
 /// A chart is trusted where its |f'| × the region's size is at least this.
 pub const LEAST_SLOPE: f64 = 0.05;
 /// Radius of a series of which only value and slope count, as a share of a square's.
 const TINY_SHARE: f64 = 1e-3;
-/// More cells than this are not made; what is left is summed directly.
-const MAX_CELLS: usize = 400_000;
-/// Squares between two reports.
-const SQUARES_PER_REPORT: usize = 256;
 
 /// What the region, or the part of it that one chart crowds together, is cut into.
 #[derive(Clone, Debug)]
@@ -49,11 +38,11 @@ pub struct RegionParts {
 /// Cuts the region for the map of the one chart of `atlas`; where that crowds it together, squares stay open. Once `progress`
 /// has returned false, what is left is not cut any more.
 pub fn build(boundary: &Arc<Boundary>, atlas: &Atlas, accuracy: Accuracy, progress: Progress) -> RegionParts {
-    let (center, half) = bounds(boundary);
+    let (center, half) = square_around(&boundary.vertices);
     let mut tree = Quadtree::new(center, half);
     let root = (tree.root(), Arc::new(atlas.walls.all()));
     let mut builder = Builder::new(boundary, half, accuracy);
-    builder.grow(&mut tree, atlas, vec![root], progress);
+    builder.grow(&mut tree, atlas, vec![root], &mut Watch::default(), progress);
     for crowded in &builder.crowded {
         tree.set(crowded.square, Leaf::Crowded.into());
     }
@@ -69,14 +58,15 @@ pub fn build_far(
     progress: Progress,
 ) -> RegionParts {
     let mut tree = near.tree.clone();
-    let mut builder = Builder::new(boundary, bounds(boundary).1, accuracy);
+    let mut builder = Builder::new(boundary, square_around(&boundary.vertices).1, accuracy);
+    let mut watch = Watch::default();
     builder.crowded.clone_from(&near.open);
     while let Some(most) = builder.most_eligible() {
         let next = &builder.crowded[most];
         if next.charts < atlas.charts.len() && atlas.better_chart(next.chart, next.w, BETTER).is_some() {
             // It was looked at before there were others.
             let next = builder.crowded.swap_remove(most);
-            builder.grow(&mut tree, atlas, vec![(next.square, next.walls)], progress);
+            builder.grow(&mut tree, atlas, vec![(next.square, next.walls)], &mut watch, progress);
             continue;
         }
         if !atlas.add(next.center, next.chart, progress) {
@@ -85,20 +75,9 @@ pub fn build_far(
         let newest = atlas.charts.len() - 1;
         let again = |c: &mut Crowded| builder.accept_crowding || c.is_near(atlas, newest);
         let open = builder.crowded.extract_if(.., again).map(|c| (c.square, c.walls)).collect();
-        builder.grow(&mut tree, atlas, open, progress);
+        builder.grow(&mut tree, atlas, open, &mut watch, progress);
     }
     builder.parts(tree)
-}
-
-/// The square around the boundary.
-fn bounds(boundary: &Boundary) -> (Complex64, f64) {
-    let start = boundary.vertices[0];
-    let (low, high) = boundary.vertices.iter().fold((start, start), |(low, high), v| {
-        (Complex64::new(low.re.min(v.re), low.im.min(v.im)), Complex64::new(high.re.max(v.re), high.im.max(v.im)))
-    });
-    let size = high - low;
-    // A little wider, so that no wall lies on its edge.
-    (0.5 * (low + high), 0.507 * size.re.max(size.im))
 }
 
 type WallList = Arc<Vec<u32>>;
@@ -154,11 +133,6 @@ struct Builder {
     hint: usize,
     /// The least slope that was accepted though it is crowded, and where.
     worst: Option<(f64, Complex64)>,
-    /// Squares so far,
-    seen: usize,
-    /// and the share of the whole that is decided.
-    done: f64,
-    stopped: bool,
 }
 
 impl Builder {
@@ -173,9 +147,6 @@ impl Builder {
             accept_crowding: false,
             hint: 0,
             worst: None,
-            seen: 0,
-            done: 0.0,
-            stopped: false,
         }
     }
 
@@ -185,9 +156,19 @@ impl Builder {
         (0..self.crowded.len()).max_by(|&a, &b| score(a).total_cmp(&score(b)))
     }
 
-    fn grow(&mut self, tree: &mut Quadtree, atlas: &Atlas, open: Vec<(Square, WallList)>, progress: Progress) {
+    /// Cuts open squares, as long as the caller wants more.
+    fn grow(
+        &mut self,
+        tree: &mut Quadtree,
+        atlas: &Atlas,
+        open: Vec<(Square, WallList)>,
+        watch: &mut Watch,
+        progress: Progress,
+    ) {
         for (square, walls) in open {
-            tree.grow(square, walls, &mut |square, walls| self.next(atlas, square, &walls, progress));
+            tree.grow(square, walls, &mut |square, walls| {
+                watch.step(square, Leaf::Sum(0).into(), progress, || self.decide(atlas, square, &walls))
+            });
         }
     }
 
@@ -197,37 +178,19 @@ impl Builder {
         RegionParts { tree, cells: self.cells, patches: self.patches, size: self.size, open: self.crowded, crowded }
     }
 
-    /// [`Builder::decide`], unless the caller wants no more.
-    fn next(&mut self, atlas: &Atlas, square: Square, walls: &WallList, progress: Progress) -> Step<WallList> {
-        self.stopped = self.stopped || (self.seen.is_multiple_of(SQUARES_PER_REPORT) && !progress("expand", self.done));
-        self.seen += 1;
-        if self.stopped {
-            return Step::Leaf(Leaf::Sum(0).into());
-        }
-        let step = self.decide(atlas, square, walls);
-        if matches!(step, Step::Leaf(_)) {
-            self.done += 0.25f64.powi(square.level as i32);
-        }
-        step
-    }
-
     fn decide(&mut self, atlas: &Atlas, square: Square, walls: &WallList) -> Step<WallList> {
         let radius = square.half * std::f64::consts::SQRT_2;
         let nearest = atlas.walls.nearest(square.center, walls);
-        if !nearest.inside && nearest.distance > radius + atlas.walls.thickness {
-            return Step::Leaf(Leaf::Outside.into());
-        }
-        if nearest.inside && radius <= SHARE_OF_WALL * nearest.distance {
-            let corner = atlas.walls.to_singular_vertex(square.center, walls);
-            if radius <= SHARE_OF_CORNER * corner
-                && let Some(step) = self.taylor(atlas, square, walls, nearest.distance)
-            {
-                return step;
-            }
-        } else if let Some(step) = self.patch(atlas, square, walls, nearest) {
+        let known = match atlas.walls.lie(square.center, radius, walls, nearest) {
+            Lie::Outside => return Step::Leaf(Leaf::Outside.into()),
+            Lie::Clear => self.taylor(atlas, square, walls, nearest.distance),
+            Lie::BesideCorner => None,
+            Lie::BesideWall => self.patch(atlas, square, walls, nearest),
+        };
+        if let Some(step) = known {
             return step;
         }
-        if square.level == MAX_LEVEL || self.cells.len() + self.patches.list.len() > MAX_CELLS {
+        if square.level == MAX_LEVEL || self.cells.len() + self.patches.list.len() > MOST_CELLS {
             return Step::Leaf(Leaf::Sum(self.hint as u32).into());
         }
         Step::Split(Arc::new(atlas.walls.within(square.center, walls, nearest.distance + 2.0 * radius)))
@@ -266,10 +229,7 @@ impl Builder {
         let boundary = Arc::clone(&self.boundary);
         let zone_of = |chart: usize| {
             let zones = &atlas.charts[chart].zones;
-            let zone = zones.covering(&boundary, nearest.edge, nearest.along, square.center, radius)?;
-            // A zone may reach across a thin wall, where the region goes on.
-            let own = zones.list[zone].edges(&boundary);
-            (!atlas.walls.intrudes(square.center, radius, walls, own)).then_some(zone)
+            zones.serving(&boundary, (&atlas.walls, walls), nearest, square.center, radius)
         };
         let mut zone = zone_of(self.hint)?;
         let top_of = |chart: usize, zone: usize| {

@@ -26,6 +26,24 @@ pub struct Nearest {
     pub inside: bool,
 }
 
+/// How a disk lies to the walls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lie {
+    /// Nothing of it is in the region, or on its boundary.
+    Outside,
+    /// So far inside that one power series may serve it.
+    Clear,
+    /// Inside, but beside a corner where the map is singular.
+    BesideCorner,
+    /// Beside a wall, or across one.
+    BesideWall,
+}
+
+/// A power series may serve a disk whose radius is at most this share of the distance from its center to the wall,
+const SHARE_OF_WALL: f64 = 0.9;
+/// and this one of the distance to a corner where the map is singular.
+const SHARE_OF_CORNER: f64 = 0.6;
+
 impl Walls {
     #[must_use]
     pub fn new(boundary: &Arc<Boundary>, thickness: f64) -> Self {
@@ -74,6 +92,20 @@ impl Walls {
         Nearest { distance: square.sqrt(), edge, along, inside }
     }
 
+    /// How a disk lies, `nearest` being the wall that is nearest to its center.
+    #[must_use]
+    pub fn lie(&self, center: Complex64, radius: f64, among: &[u32], nearest: Nearest) -> Lie {
+        if !nearest.inside && nearest.distance > radius + self.thickness {
+            return Lie::Outside;
+        }
+        let is_off_walls = nearest.inside && radius <= SHARE_OF_WALL * nearest.distance;
+        if !is_off_walls {
+            return Lie::BesideWall;
+        }
+        let corner = self.to_singular_vertex(center, among);
+        if radius <= SHARE_OF_CORNER * corner { Lie::Clear } else { Lie::BesideCorner }
+    }
+
     /// The nearest point on all edges.
     #[must_use]
     pub fn nearest_of_all(&self, z: Complex64) -> Nearest {
@@ -89,8 +121,7 @@ impl Walls {
     }
 
     /// Distance to the nearest end of some edges at which the map is singular.
-    #[must_use]
-    pub fn to_singular_vertex(&self, z: Complex64, among: &[u32]) -> f64 {
+    fn to_singular_vertex(&self, z: Complex64, among: &[u32]) -> f64 {
         let ends = among.iter().flat_map(|&edge| [edge as usize, self.boundary.next(edge as usize)]);
         let squares = ends.filter(|&k| self.singular[k]).map(|k| (z - self.boundary.vertices[k]).norm_sqr());
         squares.fold(f64::INFINITY, f64::min).sqrt()

@@ -1,7 +1,7 @@
 //! Zones of the boundary: half-disks on edges and sectors at corners, in which one real power series gives the map.
 
 use super::super::rounding::ON_BOUNDARY;
-use super::walls::Walls;
+use super::walls::{Nearest, Walls};
 use crate::plane::Complex64;
 use crate::symm::panel::Boundary;
 
@@ -192,16 +192,24 @@ impl Zones {
         Self { list, measures, starts }
     }
 
-    /// A zone near the boundary point `along` an edge that covers the disk around `center`.
+    /// A zone that covers a disk and that no wall of others enters there: a zone may reach across a thin wall, where the region
+    /// goes on. `nearest` is the boundary point nearest to the disk's center, `among` are edges that may be near.
     #[must_use]
-    pub fn covering(
+    pub fn serving(
         &self,
         boundary: &Boundary,
-        edge: usize,
-        along: f64,
+        (walls, among): (&Walls, &[u32]),
+        nearest: Nearest,
         center: Complex64,
         radius: f64,
     ) -> Option<usize> {
+        let zone = self.covering(boundary, nearest.edge, nearest.along, center, radius)?;
+        let own = self.list[zone].edges(boundary);
+        (!walls.intrudes(center, radius, among, own)).then_some(zone)
+    }
+
+    /// A zone near the boundary point `along` an edge that covers the disk around `center`.
+    fn covering(&self, boundary: &Boundary, edge: usize, along: f64, center: Complex64, radius: f64) -> Option<usize> {
         let zones = &self.list[self.starts[edge]..self.starts[edge + 1]];
         let after = self.starts[edge] + zones.partition_point(|zone| zone.along <= along);
         let next_corner = self.starts[boundary.next(edge)];

@@ -1,6 +1,7 @@
 //! B as a function, a million points at a time: power series in squares of the domain, and one in 1/z far away.
 
 use super::super::atlas::accuracy::Accuracy;
+use super::super::atlas::quadtree::square_around;
 use super::super::atlas::walls::Walls;
 use super::curve_squares::CurveSquares;
 use super::cuts::Cuts;
@@ -149,14 +150,9 @@ fn cuts_of(charges: impl Iterator<Item = (Complex64, f64)>, source: Source) -> [
 
 /// The square to be cut, and what holds beyond it; `slope` gives L'.
 fn ground(points: &[Complex64], bounded: bool, slope: &dyn Fn(Complex64) -> Complex64) -> (Ground, Option<FarSeries>) {
-    let start = points[0];
-    let (low, high) = points.iter().fold((start, start), |(low, high), v| {
-        (Complex64::new(low.re.min(v.re), low.im.min(v.im)), Complex64::new(high.re.max(v.re), high.im.max(v.im)))
-    });
-    let (middle, size) = (0.5 * (low + high), high - low);
+    let (middle, half) = square_around(points);
     if bounded {
-        // A little wider, so that no wall lies on its edge.
-        return (Ground { center: middle, half: 0.507 * size.re.max(size.im) }, None);
+        return (Ground { center: middle, half }, None);
     }
     let reach = points.iter().map(|z| (z - middle).norm()).fold(0.0, f64::max);
     (Ground { center: middle, half: REACH * reach }, Some(FarSeries::new(middle, reach, slope)))
