@@ -4,6 +4,7 @@
 //! curve; [`RegionMap`] joins two of them, and `marked` takes the disk on to a rectangle, a strip, the half plane.
 
 mod atlas;
+mod both_ways;
 mod doubt;
 mod evidence;
 mod holes;

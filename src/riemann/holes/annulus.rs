@@ -1,7 +1,8 @@
 //! The map of a region with one hole onto a ring.
 
+use super::super::both_ways::{Pointwise, places, two_ways};
 use super::super::evidence::{Evidence, evidence_methods};
-use super::canonical::{Canonical, Form, places, prepared, two_ways};
+use super::canonical::{Canonical, Form, prepared};
 use super::level_lines::{LevelLine, polyline};
 use super::solved::Solved;
 use crate::plane::{Complex64, Domain};
@@ -100,7 +101,7 @@ impl AnnulusMap {
     /// Ring → region, the inverse of [`AnnulusMap::to_annulus`]. NaN outside the closed ring.
     #[must_use]
     pub fn from_annulus(&self, points: &[Complex64]) -> Vec<Complex64> {
-        places(points, &|w| self.place(w))
+        places(points, |w| self.place(w))
     }
 
     /// Lines of the region that go to circles and rays of the ring.
@@ -130,5 +131,5 @@ impl AnnulusMap {
 }
 
 evidence_methods!(AnnulusMap, "of log w anywhere in the region, so of w relative to its size.");
-two_ways!(AnnulusMap);
+two_ways!(AnnulusMap, place);
 prepared!(AnnulusMap);

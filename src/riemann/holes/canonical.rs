@@ -1,11 +1,11 @@
 //! A map onto a canonical region, both ways.
 
+use super::super::both_ways::Pointwise;
 use super::field::DomainField;
 use super::inverse_tree::{InverseTree, Inverted, Origin, Pair};
 use super::seeds::Seeds;
 use crate::Result;
-use crate::map::{Jet, pointwise};
-use crate::plane::{Complex64, Domain, DomainPoint, NOWHERE};
+use crate::plane::{Complex64, Domain, DomainPoint};
 use crate::symm::options::Progress;
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -110,24 +110,9 @@ impl Canonical {
     }
 
     /// (k, k') at a point; `None` outside the closed domain.
-    #[must_use]
-    pub fn key(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+    fn key(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
         let (value, slope) = self.field.fast(z)?;
         Some((self.form.factor * value + self.form.shift, self.form.factor * slope))
-    }
-
-    /// (f, f') at a point; `None` outside the closed domain. Infinite at the pole.
-    #[must_use]
-    pub fn at(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
-        if self.form.zero == Some(z) {
-            return Some((Complex64::ZERO, self.slope_at_zero(z)));
-        }
-        let (key, slope) = self.key(z)?;
-        if !self.form.exponential {
-            return Some((key, slope));
-        }
-        let w = key.exp();
-        Some((w, w * slope))
     }
 
     /// f' where f is 0: the mean of f/(z − zero) over a small circle.
@@ -275,56 +260,25 @@ impl Canonical {
         let wall = self.domain().nearest(z).place.point;
         Some((wall, self.key(wall)?))
     }
+}
 
-    /// Domain → canonical region; NaN outside.
-    #[must_use]
-    pub fn images(&self, points: &[Complex64]) -> Vec<Complex64> {
-        points.iter().map(|&z| self.at(z).map_or(NOWHERE, |(w, _)| w)).collect()
-    }
-
-    /// Derivatives of [`Canonical::images`].
-    #[must_use]
-    pub fn slopes(&self, points: &[Complex64]) -> Vec<Complex64> {
-        points.iter().map(|&z| self.at(z).map_or(NOWHERE, |(_, slope)| slope)).collect()
-    }
-
-    /// Writes the jets of the map.
-    pub fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        pointwise(points, jets, |z| self.at(z).map(|(w, slope)| Jet::analytic(w, slope)));
+impl Pointwise for Canonical {
+    /// Infinite at the pole.
+    fn at(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        if self.form.zero == Some(z) {
+            return Some((Complex64::ZERO, self.slope_at_zero(z)));
+        }
+        let (key, slope) = self.key(z)?;
+        if !self.form.exponential {
+            return Some((key, slope));
+        }
+        let w = key.exp();
+        Some((w, w * slope))
     }
 }
 
 /// log|w| differs by less than this from that of points on a circle.
 const ON_CIRCLE: f64 = 1e-14;
-
-/// The places of images; NaN where there is none.
-#[must_use]
-pub fn places(images: &[Complex64], place: &dyn Fn(Complex64) -> Option<(Complex64, Complex64)>) -> Vec<Complex64> {
-    images.iter().map(|&w| place(w).map_or(NOWHERE, |(z, _)| z)).collect()
-}
-
-/// Makes a class with a [`Canonical`] in `map`, and a method `place` for the way back, a map that goes both ways.
-macro_rules! two_ways {
-    ($class:ident) => {
-        impl $crate::map::PlaneMap for $class {
-            fn jets(&self, points: &[$crate::plane::Complex64], jets: &mut [$crate::map::Jet]) {
-                self.map.jets(points, jets);
-            }
-
-            fn inverse_map(&self) -> Option<Box<dyn $crate::map::PlaneMap + '_>> {
-                Some(Box::new($crate::map::Inverse(self)))
-            }
-        }
-
-        impl $crate::map::InvertibleMap for $class {
-            fn inverse_jets(&self, points: &[$crate::plane::Complex64], jets: &mut [$crate::map::Jet]) {
-                let jet = |(z, slope)| $crate::map::Jet::analytic(z, slope);
-                $crate::map::pointwise(points, jets, |w| self.place(w).map(jet));
-            }
-        }
-    };
-}
-pub(super) use two_ways;
 
 /// Gives a class with a [`Canonical`] in `map` the method `prepare`.
 macro_rules! prepared {

@@ -1,7 +1,8 @@
 //! The map of the outside of a body onto the outside of the disk.
 
+use super::super::both_ways::{Pointwise, places, two_ways};
 use super::super::evidence::{Evidence, evidence_methods};
-use super::canonical::{Canonical, Form, places, prepared, two_ways};
+use super::canonical::{Canonical, Form, prepared};
 use super::solved::Solved;
 use crate::plane::{Complex64, Domain};
 use crate::symm::options::{Progress, SolveOptions};
@@ -71,7 +72,7 @@ impl ExteriorMap {
     /// Outside of the disk → outside of the body, the inverse of [`ExteriorMap::to_exterior`]. NaN inside the disk.
     #[must_use]
     pub fn from_exterior(&self, points: &[Complex64]) -> Vec<Complex64> {
-        places(points, &|w| self.place(w))
+        places(points, |w| self.place(w))
     }
 
     /// f' of the map body's outside → disk's outside, per plane unit.
@@ -86,5 +87,5 @@ impl ExteriorMap {
 }
 
 evidence_methods!(ExteriorMap, "of log w anywhere, so of w relative to its size.");
-two_ways!(ExteriorMap);
+two_ways!(ExteriorMap, place);
 prepared!(ExteriorMap);

@@ -1,7 +1,8 @@
 //! Maps of regions with any number of holes onto regions with slits.
 
+use super::super::both_ways::{Pointwise, places, two_ways};
 use super::super::evidence::{Evidence, evidence_methods};
-use super::canonical::{Canonical, Form, places, prepared, two_ways};
+use super::canonical::{Canonical, Form, prepared};
 use super::field::DomainField;
 use super::peak::peak;
 use super::solved::{Scale, Solved};
@@ -106,7 +107,7 @@ impl SlitMap {
     /// Region with slits → domain. Of a point on a slit, one of the two boundary points that go there.
     #[must_use]
     pub fn from_slits(&self, points: &[Complex64]) -> Vec<Complex64> {
-        places(points, &|w| self.place(w))
+        places(points, |w| self.place(w))
     }
 
     /// f' of the map domain → region with slits, per plane unit.
@@ -248,5 +249,5 @@ fn slit(map: &Canonical, component: usize, exponential: bool) -> Slit {
 }
 
 evidence_methods!(SlitMap, "of log w; of parallel slits, of w in units of the domain's size or its inverse.");
-two_ways!(SlitMap);
+two_ways!(SlitMap, place);
 prepared!(SlitMap);

@@ -1,8 +1,9 @@
 //! The map of a region with a marked boundary point onto the half plane.
 
 use super::super::RiemannMap;
+use super::super::both_ways::{Pointwise, places, two_ways};
 use super::super::evidence::{Evidence, evidence_methods};
-use super::map::{Gap, MarkedMap, Seen, Target, two_ways};
+use super::map::{Gap, MarkedMap, Seen, Target};
 use super::marks::Marks;
 use super::points::{evidence_of, marked_points};
 use crate::Result;
@@ -70,7 +71,7 @@ impl HalfPlaneMap {
     /// Half plane → region, the inverse of [`HalfPlaneMap::to_half_plane`]. NaN below the real axis.
     #[must_use]
     pub fn from_half_plane(&self, points: &[Complex64]) -> Vec<Complex64> {
-        self.map.places(points)
+        places(points, |w| self.map.inverse(w))
     }
 
     /// f' of the map region → half plane, per plane unit. NaN outside the closed region.
@@ -84,7 +85,7 @@ evidence_methods!(
     HalfPlaneMap,
     "of images w, in units of 1 + |w|². A pole that is a vertex keeps the relative accuracy of distances from it."
 );
-two_ways!(HalfPlaneMap);
+two_ways!(HalfPlaneMap, map.inverse);
 
 /// The half plane: u = αi(p + w)/(p − w) + β.
 #[derive(Clone, Debug)]

@@ -2,10 +2,10 @@
 
 use super::super::RiemannMap;
 use super::super::atlas::DiskPoint;
+use super::super::both_ways::Pointwise;
 use super::super::rounding::{is_on_circle, onto_disk};
 use super::elliptic::{exp_m1, ln_1p};
 use super::marks::Marks;
-use crate::map::{Jet, pointwise};
 use crate::plane::{Complex64, NOWHERE};
 
 /// A mark, and a point of its home chart less the mark, with the relative accuracy of that distance.
@@ -88,19 +88,6 @@ impl<T: Target> MarkedMap<T> {
         &self.target
     }
 
-    /// (f, f') at a point; `None` outside the closed region.
-    fn at(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
-        let (value, slope) = self.value_and_slope(z)?;
-        if !slope.is_nan() {
-            return Some((value, slope));
-        }
-        // At a corner itself: a little beside it.
-        let h = OFF_CORNER * self.map.region().polygon().size();
-        let near = (0..8).map(|k| z + Complex64::from_polar(h, f64::from(k) * std::f64::consts::FRAC_PI_4));
-        let slope = near.filter_map(|z| self.value_and_slope(z)).map(|(_, slope)| slope).find(|slope| !slope.is_nan());
-        Some((value, slope.unwrap_or(NOWHERE)))
-    }
-
     fn value_and_slope(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
         let (point, slope) = self.map.solved().to_disk_with_slope(z)?;
         let (value, onward) = self.target.image(&self.marks, &self.seen(z, point));
@@ -148,54 +135,22 @@ impl<T: Target> MarkedMap<T> {
         let w = there + gap;
         Some((z, slope / (Complex64::i() * w), Seen { chart: mark.home, w, gap: Some((index, gap)) }))
     }
-
-    /// Region → target; NaN outside.
-    #[must_use]
-    pub fn images(&self, points: &[Complex64]) -> Vec<Complex64> {
-        points.iter().map(|&z| self.value_and_slope(z).map_or(NOWHERE, |(w, _)| w)).collect()
-    }
-
-    /// Derivatives of [`MarkedMap::images`].
-    #[must_use]
-    pub fn slopes(&self, points: &[Complex64]) -> Vec<Complex64> {
-        points.iter().map(|&z| self.at(z).map_or(NOWHERE, |(_, slope)| slope)).collect()
-    }
-
-    /// Target → region; NaN outside.
-    #[must_use]
-    pub fn places(&self, images: &[Complex64]) -> Vec<Complex64> {
-        images.iter().map(|&w| self.inverse(w).map_or(NOWHERE, |(z, _)| z)).collect()
-    }
-
-    /// Writes the jets of the map.
-    pub fn jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        pointwise(points, jets, |z| self.at(z).map(|(w, slope)| Jet::analytic(w, slope)));
-    }
-
-    /// Writes the jets of the way back.
-    pub fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
-        pointwise(points, jets, |w| self.inverse(w).map(|(z, slope)| Jet::analytic(z, slope)));
-    }
 }
 
-/// Makes a class with a [`MarkedMap`] in `map` a map that goes both ways.
-macro_rules! two_ways {
-    ($class:ident) => {
-        impl $crate::map::PlaneMap for $class {
-            fn jets(&self, points: &[$crate::plane::Complex64], jets: &mut [$crate::map::Jet]) {
-                self.map.jets(points, jets);
-            }
-
-            fn inverse_map(&self) -> Option<Box<dyn $crate::map::PlaneMap + '_>> {
-                Some(Box::new($crate::map::Inverse(self)))
-            }
+impl<T: Target> Pointwise for MarkedMap<T> {
+    fn at(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        let (value, slope) = self.value_and_slope(z)?;
+        if !slope.is_nan() {
+            return Some((value, slope));
         }
+        // At a corner itself: a little beside it.
+        let h = OFF_CORNER * self.map.region().polygon().size();
+        let near = (0..8).map(|k| z + Complex64::from_polar(h, f64::from(k) * std::f64::consts::FRAC_PI_4));
+        let slope = near.filter_map(|z| self.value_and_slope(z)).map(|(_, slope)| slope).find(|slope| !slope.is_nan());
+        Some((value, slope.unwrap_or(NOWHERE)))
+    }
 
-        impl $crate::map::InvertibleMap for $class {
-            fn inverse_jets(&self, points: &[$crate::plane::Complex64], jets: &mut [$crate::map::Jet]) {
-                self.map.inverse_jets(points, jets);
-            }
-        }
-    };
+    fn value(&self, z: Complex64) -> Option<Complex64> {
+        self.value_and_slope(z).map(|(w, _)| w)
+    }
 }
-pub(super) use two_ways;

@@ -2,9 +2,10 @@
 
 use super::super::RiemannMap;
 use super::super::atlas::DiskPoint;
+use super::super::both_ways::{Pointwise, places, two_ways};
 use super::super::evidence::{Evidence, evidence_methods};
 use super::elliptic::{Modulus, mean};
-use super::map::{Gap, MarkedMap, Seen, Target, two_ways};
+use super::map::{Gap, MarkedMap, Seen, Target};
 use super::marks::Marks;
 use super::points::{evidence_of, marked_points};
 use crate::plane::{Complex64, Region};
@@ -100,7 +101,7 @@ impl RectangleMap {
     /// Rectangle → region, the inverse of [`RectangleMap::to_rectangle`]. NaN outside the closed rectangle.
     #[must_use]
     pub fn from_rectangle(&self, points: &[Complex64]) -> Vec<Complex64> {
-        self.map.places(points)
+        places(points, |w| self.map.inverse(w))
     }
 
     /// f' of the map region → rectangle, per plane unit. NaN outside the closed region.
@@ -114,7 +115,7 @@ evidence_methods!(
     RectangleMap,
     "of the aspect, relative to it, and of images, the rectangle's shorter side being 1. Beside a corner that is no vertex of the boundary the map itself makes √δ of an error δ."
 );
-two_ways!(RectangleMap);
+two_ways!(RectangleMap, map.inverse);
 
 /// |ab||cd|/(|bc||da|) of four marks: 0 if ab and cd are short.
 fn cross_ratio(marks: &Marks, [a, b, c, d]: [usize; 4]) -> f64 {

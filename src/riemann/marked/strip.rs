@@ -1,8 +1,9 @@
 //! The map of a region with two marked boundary points onto a strip.
 
 use super::super::RiemannMap;
+use super::super::both_ways::{Pointwise, places, two_ways};
 use super::super::evidence::{Evidence, evidence_methods};
-use super::map::{Gap, MarkedMap, Seen, Target, two_ways};
+use super::map::{Gap, MarkedMap, Seen, Target};
 use super::marks::Marks;
 use super::points::{evidence_of, marked_points};
 use crate::Result;
@@ -76,7 +77,7 @@ impl StripMap {
     /// Strip → region, the inverse of [`StripMap::to_strip`]. NaN outside the closed strip.
     #[must_use]
     pub fn from_strip(&self, points: &[Complex64]) -> Vec<Complex64> {
-        self.map.places(points)
+        places(points, |w| self.map.inverse(w))
     }
 
     /// f' of the map region → strip, per plane unit. NaN outside the closed region.
@@ -90,7 +91,7 @@ evidence_methods!(
     StripMap,
     "of images, the strip being 1 wide. Beside an end that is no vertex of the boundary the map itself makes δ/ε of an error δ at the distance ε."
 );
-two_ways!(StripMap);
+two_ways!(StripMap, map.inverse);
 
 /// The strip: πw = log(turn · (z' − p)/(z' − q)) + log.
 #[derive(Clone, Debug)]
