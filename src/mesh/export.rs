@@ -1,7 +1,7 @@
 //! Joint triangulation → files of other tools: SVG pictures and Wavefront OBJ.
 
 use super::JointTriangulation;
-use crate::plane::{Complex64, Frame};
+use crate::plane::{Complex64, Frame, svg_path};
 use std::fmt::Write;
 
 /// Side of the square that each copy is drawn into, and the space around it, in SVG units.
@@ -28,14 +28,8 @@ impl JointTriangulation {
                 let ((x1, y1), (x2, y2)) = (at(a), at(b));
                 let _ = write!(lines, "M{x1:.2} {y1:.2}L{x2:.2} {y2:.2}");
             }
-            let mut outline = String::new();
-            for ring in &self.outlines {
-                for (k, &node) in ring.iter().enumerate() {
-                    let (x, y) = at(node);
-                    let _ = write!(outline, "{}{x:.2} {y:.2}", if k == 0 { 'M' } else { 'L' });
-                }
-                outline.push('Z');
-            }
+            let outline: String =
+                self.outlines.iter().map(|ring| svg_path::polyline(ring.iter().map(|&node| at(node)), true)).collect();
             let _ = writeln!(
                 svg,
                 "<g class=\"{class}\"><path stroke-width=\"0.6\" d=\"{lines}\"/><path stroke-width=\"2.5\" d=\"{outline}\"/></g>"

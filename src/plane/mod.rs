@@ -12,7 +12,7 @@ mod region;
 mod smooth_curve;
 mod sorting;
 mod svg_file;
-mod svg_path;
+pub(crate) mod svg_path;
 
 pub use contour::Curve;
 pub use domain::Domain;

@@ -1,6 +1,7 @@
-//! The data of an SVG path → curves, in the path's own coordinates.
+//! The data of an SVG path ↔ curves, in the path's own coordinates.
 
 use kurbo::{Arc, BezPath, Point, SvgArc, Vec2};
+use std::fmt::Write;
 use svgtypes::{PathParser, PathSegment};
 
 /// Path data, the attribute `d`, → lines and Béziers; elliptical arcs become cubics that leave them by `tolerance` at most.
@@ -13,6 +14,20 @@ pub fn read(data: &str, tolerance: f64) -> Result<BezPath, String> {
         pen.draw(segment.map_err(|error| explain(data, &error))?);
     }
     if pen.path.is_finite() { Ok(pen.path) } else { Err("a number is too large".into()) }
+}
+
+/// A polyline → path data, to hundredths.
+#[must_use]
+pub fn polyline(points: impl IntoIterator<Item = (f64, f64)>, closed: bool) -> String {
+    let mut data = String::new();
+    for (k, (x, y)) in points.into_iter().enumerate() {
+        // A String takes whatever is written.
+        let _ = write!(data, "{}{x:.2} {y:.2}", if k == 0 { 'M' } else { 'L' });
+    }
+    if closed {
+        data.push('Z');
+    }
+    data
 }
 
 /// What the pen remembers between segments.

@@ -3,9 +3,8 @@
 use super::error::Failure;
 use super::options::{self, FrameOptions};
 use super::points;
-use crate::plane::{Complex64, Frame};
+use crate::plane::{Complex64, Frame, svg_path};
 use crate::riemann::LevelLine;
-use std::fmt::Write;
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -57,18 +56,8 @@ impl LevelLines {
     #[wasm_bindgen(js_name = svgPath)]
     pub fn svg_path(&self, frame: Ts<FrameOptions>) -> Result<String, Failure> {
         let frame: Frame = options::read(&frame)?.try_into()?;
-        let mut path = String::new();
-        for line in &self.0 {
-            for (k, z) in line.points.iter().enumerate() {
-                let (x, y) = frame.to_pixels(*z);
-                // A String takes whatever is written.
-                let _ = write!(path, "{}{x:.2} {y:.2}", if k == 0 { "M" } else { "L" });
-            }
-            if line.closed {
-                path.push('Z');
-            }
-        }
-        Ok(path)
+        let path = |line: &LevelLine| svg_path::polyline(line.points.iter().map(|z| frame.to_pixels(*z)), line.closed);
+        Ok(self.0.iter().map(path).collect())
     }
 }
 
