@@ -41,7 +41,8 @@ let last = Promise.resolve();
 /** @param {Message} message */
 function hear(message) {
   if (message.gives !== undefined) gift(message.gives).give(message.value);
-  else last = last.then(() => answer(message));
+  // What cannot be freed, after a crash, keeps nobody waiting.
+  else last = last.then(() => answer(message)).catch(() => undefined);
 }
 
 /** @param {Message} message */

@@ -26,6 +26,7 @@ import { wayBetween } from "./homotopy.js";
  * @property {number} morph how far on the way from the region, 0, to the disk, 1
  */
 /** @typedef {import("../editor/overlays.js").Over} Over */
+/** @typedef {import("./homotopy.js").Way} Way */
 /** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
 /** @typedef {import("../common/plate.js").Plate} Plate */
 /** @typedef {import("../editor/locate.js").Mesh} Mesh */
@@ -76,10 +77,10 @@ export class RegionPipeline {
     const begin = performance.now();
     const { source, target, triangles } = mesh;
     const way = onWay(job, map);
-    const shown = way ? JointTriangulation.fromParts(source, way.carry(target), triangles) : mesh;
+    const shown = meshOn(way, mesh);
     const pixels = shown.warp(texture, { texture: frame, view: job.view, direction: "push-forward", quality: "trilinear" });
     const warpMs = performance.now() - begin;
-    const over = this.#over(job, map, corners, shown);
+    const over = overOf(job, map, corners, way, shown);
     /** @type {Result} */
     const result = {
       version: job.version,
@@ -106,17 +107,6 @@ export class RegionPipeline {
     return { result, transfer: [pixels, source, target, triangles, ...heatPixels(over)].map(({ buffer }) => buffer) };
   }
 
-  /** What is shown over the pictures. @param {Job} job @param {RiemannMap} map @param {Float64Array} corners @param {JointTriangulation} mesh to what is shown @returns {{ source: Over, target: Over }} */
-  #over(job, map, corners, mesh) {
-    const { show: { grid, heat, measure }, view, fine } = job;
-    const way = onWay(job, map);
-    const field = heat ? heatOf(map, map.conformalRadius, corners, fine ? FINE_HEAT : DRAFT_HEAT) : null;
-    const source = { lines: grid ? regionLines(map, grid, fine) : [], fence: measure ? fenceOf(map, corners) : null, heat: field };
-    const rings = grid ? diskLines(grid, fine) : [];
-    const target = { lines: way ? rings.map((line) => way.carry(line)) : rings, fence: measure && !way ? CIRCLE_FENCE : null, heat: field && carriedHeat(mesh, field, view) };
-    return { source, target };
-  }
-
   /** @param {import("../editor/read-outline.js").OutlineQuestion} question */
   answer({ text }) {
     return readOutline(text);
@@ -130,9 +120,9 @@ export class RegionPipeline {
     const { map, corners } = this.#solved.solve(job, job.tolerance, (_, share) => onShare(share / 2));
     const { mesh: whole } = this.#mesh(job, map);
     const between = onWay(job, map);
-    const mesh = between ? JointTriangulation.fromParts(whole.source, between.carry(whole.target), whole.triangles) : whole;
+    const mesh = meshOn(between, whole);
     const edges = show.mesh ? meshEdges(mesh.triangles) : null;
-    const { source, target } = this.#over({ ...job, fine: true, show: { ...show, heat: false } }, map, corners, mesh);
+    const { source, target } = overOf({ ...job, fine: true, show: { ...show, heat: false } }, map, corners, between, mesh);
     const heat = show.heat ? heatOf(map, map.conformalRadius, corners, FINE_HEAT) : null;
     const colours = heat && new Texture(heat.pixels, ...heat.frame.pixels);
     const way = { view, ...PUSHED, quality: /** @type {const} */ ("best") };
@@ -168,3 +158,15 @@ export class RegionPipeline {
 
 /** The way to the disk, unless it is at its end. @param {Job} job @param {RiemannMap} map */
 const onWay = ({ morph, center }, map) => (morph < 1 ? wayBetween(map, center, morph) : null);
+
+/** The mesh to what is shown: itself at the way's end. @param {Way | null} way @param {JointTriangulation} mesh to the disk */
+const meshOn = (way, mesh) => (way ? JointTriangulation.fromParts(mesh.source, way.carry(mesh.target), mesh.triangles) : mesh);
+
+/** What is shown over the pictures. @param {Job} job @param {RiemannMap} map @param {Float64Array} corners @param {Way | null} way @param {JointTriangulation} mesh to what is shown @returns {{ source: Over, target: Over }} */
+function overOf({ show: { grid, heat, measure }, view, fine }, map, corners, way, mesh) {
+  const field = heat ? heatOf(map, map.conformalRadius, corners, fine ? FINE_HEAT : DRAFT_HEAT) : null;
+  const source = { lines: grid ? regionLines(map, grid, fine) : [], fence: measure ? fenceOf(map, corners) : null, heat: field };
+  const rings = grid ? diskLines(grid, fine) : [];
+  const target = { lines: way ? rings.map((line) => way.carry(line)) : rings, fence: measure && !way ? CIRCLE_FENCE : null, heat: field && carriedHeat(mesh, field, view) };
+  return { source, target };
+}
