@@ -13,9 +13,8 @@ const RINGS = 24;
 /** Rays of a polar grid as dense as a square one; an even number, so that a chessboard closes up. @param {number} density */
 export const spokesOf = (density) => 2 * Math.round(0.75 * density);
 
-/** @param {Frame} view @param {Lines} kind @param {{ density: number, texture: { width: number } }} look @returns {Float64Array[]} */
+/** The square ones where a kind has none of its own: a drawing is never empty. @param {Frame} view @param {Lines} kind @param {{ density: number, texture: { width: number } }} look @returns {Float64Array[]} */
 export function gridLines({ center: [x, y], width, pixels }, kind, { density, texture }) {
-  if (kind === "none" || kind === "stretch" || kind === "argument") return [];
   const height = (width * pixels[1]) / pixels[0];
   const [left, low] = [x - width / 2, y - height / 2];
   /** @param {(share: number) => [number, number]} at */
