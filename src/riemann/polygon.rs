@@ -188,6 +188,39 @@ impl SolvedRegion for SolvedPolygon {
         self.region.contains(z).then(|| onto_disk(self.solution.to_disk(self.region.nearest(z), z)))
     }
 
+    fn images(&self, points: &[Complex64], turn: Complex64) -> Vec<Complex64> {
+        let (expansions, origin, unit) = (self.expansions(), self.origin, self.unit());
+        let image = |&z: &Complex64| match expansions.to_disk_by_cell((z - origin) * unit) {
+            Some(w) => onto_disk(turn * w),
+            None => self.to_disk(z).map_or(NOWHERE, |point| onto_disk(turn * self.flat(point))),
+        };
+        points.iter().map(image).collect()
+    }
+
+    fn slopes(&self, points: &[Complex64], turn: Complex64) -> Vec<Complex64> {
+        let (expansions, origin, unit) = (self.expansions(), self.origin, self.unit());
+        let in_plane = turn * unit;
+        let slope = |&z: &Complex64| match expansions.slope_by_cell((z - origin) * unit) {
+            Some(slope) => in_plane * slope,
+            None => {
+                let slope = |(point, slope): (DiskPoint, Complex64)| turn * slope * self.flat_slope(point);
+                self.to_disk_with_slope(z).map_or(NOWHERE, slope)
+            }
+        };
+        points.iter().map(slope).collect()
+    }
+
+    fn places(&self, images: &[Complex64], turn: Complex64) -> Vec<Complex64> {
+        let (expansions, origin, back) = (self.expansions(), self.origin, turn.conj());
+        // The unit is a power of two.
+        let size = self.unit().recip();
+        let place = |w: &Complex64| match expansions.from_disk_by_cell(back * w) {
+            Some(z) => z * size + origin,
+            None => self.from_disk(DiskPoint::flat(back * w)).unwrap_or(NOWHERE),
+        };
+        images.iter().map(place).collect()
+    }
+
     #[inline]
     fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
         self.expansions().from_disk(point).map(|z| self.plane(z))

@@ -53,6 +53,16 @@ impl DiskSide {
         }
     }
 
+    /// w → z, where a cell holds w.
+    #[inline]
+    #[must_use]
+    pub fn by_cell(&self, w: Complex64) -> Option<Complex64> {
+        match self.leaf(w) {
+            Leaf::Cell(index) => Some(self.parts.cells.value(index, w).1),
+            _ => None,
+        }
+    }
+
     fn by_leaf(&self, leaf: Leaf, w: Complex64) -> Source {
         match leaf {
             Leaf::Cell(index) => Source::Point(self.parts.cells.value(index, w).1, Complex64::ZERO),

@@ -177,6 +177,20 @@ impl Expansions {
         found.map(|(chart, w)| DiskPoint { chart, w })
     }
 
+    /// Region → disk, where a cell of the first chart holds the point: most of a region.
+    #[inline]
+    #[must_use]
+    pub fn to_disk_by_cell(&self, z: Complex64) -> Option<Complex64> {
+        self.near.region.by_cell(z)
+    }
+
+    /// The derivative of [`Expansions::to_disk_by_cell`].
+    #[inline]
+    #[must_use]
+    pub fn slope_by_cell(&self, z: Complex64) -> Option<Complex64> {
+        self.near.region.slope_by_cell(z)
+    }
+
     #[cold]
     fn to_disk_far(&self, z: Complex64) -> Found<(usize, Complex64)> {
         let far = self.far();
@@ -242,6 +256,13 @@ impl Expansions {
     #[must_use]
     pub fn from_disk(&self, point: DiskPoint) -> Option<Complex64> {
         self.source(point, |side, w| side.at(w)).map(|(z, _, _)| z)
+    }
+
+    /// Disk → region, where a cell of the first chart holds the point: most of the disk.
+    #[inline]
+    #[must_use]
+    pub fn from_disk_by_cell(&self, w: Complex64) -> Option<Complex64> {
+        if w.norm_sqr() <= 1.0 { self.near.disk(0).by_cell(w) } else { None }
     }
 
     /// Disk → region, with the derivative by the point's number in its chart.

@@ -107,6 +107,26 @@ impl RegionSide {
         }
     }
 
+    /// z → w, where a cell of the first chart, which is the disk itself, holds z.
+    #[inline]
+    #[must_use]
+    pub fn by_cell(&self, z: Complex64) -> Option<Complex64> {
+        match Leaf::from(self.near.tree.find(z)?) {
+            Leaf::Cell(index) => Some(self.near.cells.value(index, z).1),
+            _ => None,
+        }
+    }
+
+    /// The derivative of [`RegionSide::by_cell`].
+    #[inline]
+    #[must_use]
+    pub fn slope_by_cell(&self, z: Complex64) -> Option<Complex64> {
+        match Leaf::from(self.near.tree.find(z)?) {
+            Leaf::Cell(index) => Some(self.near.cells.value_and_slope(index, z).2),
+            _ => None,
+        }
+    }
+
     fn by_leaf(&self, atlas: &Atlas, z: Complex64) -> Found<(usize, Complex64)> {
         let (parts, leaf) = self.leaf(z);
         match leaf {
