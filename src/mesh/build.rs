@@ -1,7 +1,7 @@
 //! Regions and options → joint triangulation.
 
 use super::correspondence::{Correspondence, OntoDisk};
-use super::density::first_spacing;
+use super::density::{Known, first_spacing};
 use super::draft::Draft;
 use super::joint::{JointTriangulation, MeshStop, Shape};
 use super::locate::Located;
@@ -13,7 +13,7 @@ use crate::plane::{Complex64, Polygon};
 use crate::riemann::{RegionMap, RiemannMap};
 use crate::symm::options::Progress;
 use crate::{Error, Result};
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use std::f64::consts::PI;
 
 /// A point of the net keeps this share of its distance from the boundary away from samples.
@@ -100,7 +100,7 @@ pub(super) fn between(
         let mut draft = chosen(map, options, room, progress)?;
         if let Density::Spacing(_) = options.density {
             draft.connect_valid(map, progress)?;
-            draft.measure();
+            draft.measure(&Known::default());
         }
         draft.finish()
     })
@@ -163,11 +163,12 @@ impl<'a> Draft<'a> {
     /// Connects nodes, as many as it takes to stay within `bound` (plane units of the target) of the map where that is
     /// possible.
     fn keep_within(&mut self, bound: f64, progress: Progress) -> Result<()> {
+        let mut known = Known::default();
         for _ in 0..MOST_TURNS {
             let before = self.source.len();
-            let full = self.refine_to(bound, progress)?;
+            let full = self.refine_to(bound, &mut known, progress)?;
             self.connect_valid(self.map, progress)?;
-            self.measure();
+            self.measure(&known);
             self.evidence.stop = match self.evidence.largest_error.max(self.evidence.crowded_error) <= bound {
                 true => MeshStop::Density,
                 false if full => MeshStop::MaxNodes,
@@ -210,14 +211,14 @@ impl<'a> Draft<'a> {
             }
         }
         self.connect_valid(map, progress)?;
-        self.measure();
+        self.measure(&Known::default());
         Ok(())
     }
 
     /// Adds points of the disk with their places in both copies, except those that samples `spacing` apart stand in for.
     fn add_net(&mut self, points: &[Complex64], spacing: f64) {
         let cell = |z: Complex64| [z.re, z.im].map(|x| (x / spacing).floor() as i64);
-        let samples: HashMap<_, _> = self.source[self.ring.len()..].iter().map(|&z| (cell(z), z)).collect();
+        let samples: FxHashMap<_, _> = self.source[self.ring.len()..].iter().map(|&z| (cell(z), z)).collect();
         let near = |z: Complex64, reach: f64| {
             let [i, j] = cell(z);
             (i - 1..=i + 1)

@@ -7,7 +7,7 @@
 
 use super::connect::{connect, triangulate};
 use crate::plane::{Complex64, sort_by, sort_by_number};
-use std::collections::HashSet;
+use rustc_hash::FxHashSet;
 use std::f64::consts::TAU;
 
 /// A polygon, and which of its corners lie on the straight line between their neighbours.
@@ -41,7 +41,7 @@ pub(super) fn compatible(source: &Corners, target: &Corners) -> Option<Compatibl
     let crossings = crossings(&corners, &chords);
     let mut points = corners.clone();
     points.extend(crossings.iter().map(|c| along(&corners, chords[0][c.source.0], c.source.1)));
-    let mut edges: HashSet<[usize; 2]> = (0..n).map(|k| sorted([k, (k + 1) % n])).collect();
+    let mut edges: FxHashSet<[usize; 2]> = (0..n).map(|k| sorted([k, (k + 1) % n])).collect();
     for (copy, chords) in chords.iter().enumerate() {
         for (index, &[a, b]) in chords.iter().enumerate() {
             let place = |c: &Crossing| if copy == 0 { c.source } else { c.target };

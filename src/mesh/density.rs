@@ -7,7 +7,7 @@ use super::triangles::edges;
 use crate::plane::{Complex64, sort_by};
 use crate::symm::options::Progress;
 use crate::{Error, Result};
-use std::collections::{HashMap, HashSet};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Each round halves edges that are too long where they are longer, so that this many reach 2^-40 of the first spacing.
 const MOST_ROUNDS: usize = 40;
@@ -32,30 +32,29 @@ pub(super) fn first_spacing(area: f64) -> f64 {
 
 /// The map at probes, kept from round to round: most probes stay as they are.
 #[derive(Default)]
-struct Known {
-    inner: HashMap<Probe, Complex64>,
-    boundary: HashMap<Probe, Option<RingNode>>,
+pub(super) struct Known {
+    inner: FxHashMap<Probe, Complex64>,
+    boundary: FxHashMap<Probe, Option<RingNode>>,
 }
 
 impl Draft<'_> {
     /// Adds nodes until the map is within `bound` (plane units of the target) of its affine pieces at their probes, or no
-    /// more nodes help. True if only the number of nodes ended it.
+    /// more nodes help. True if only the number of nodes ended it. What is found out of the map is added to `known`.
     ///
     /// # Errors
     /// [`Error::Crowded`] as in connecting, and [`Error::Cancelled`].
-    pub(super) fn refine_to(&mut self, bound: f64, progress: Progress) -> Result<bool> {
-        let mut known = Known::default();
+    pub(super) fn refine_to(&mut self, bound: f64, known: &mut Known, progress: Progress) -> Result<bool> {
         let mut worst = Vec::new();
         for _ in 0..MOST_ROUNDS {
             self.connect()?;
             self.flip_bad();
             let probes = self.probes();
-            self.look_up(&mut known, &probes);
+            self.look_up(known, &probes);
             let fine = |probe: &&Probe| self.is_shorter(probe.facet, self.room.finest);
-            let off = probes.iter().filter(|probe| !fine(probe)).map(|&probe| (probe, self.error(&known, probe)));
+            let off = probes.iter().filter(|probe| !fine(probe)).map(|&probe| (probe, self.error(known, probe)));
             let off: Vec<_> = off.collect();
             worst.push(off.iter().map(|(_, error)| *error).fold(0.0, f64::max));
-            let off: HashSet<_> =
+            let off: FxHashSet<_> =
                 off.into_iter().filter(|(_, error)| *error > bound).map(|(probe, _)| probe.facet).collect();
             let fraction = 1.0 - off.len() as f64 / probes.len() as f64;
             if !progress("refining the mesh", fraction) {
@@ -66,23 +65,34 @@ impl Draft<'_> {
             if nodes > MOST_NODES {
                 return Ok(true);
             }
-            if !helps && nodes > HARMLESS || self.add_where(&known, &off) == 0 {
+            if !helps && nodes > HARMLESS || self.add_where(known, &off) == 0 {
                 break;
             }
         }
         Ok(false)
     }
 
-    /// Finds the largest distances between the map and its affine pieces: infinite if the map has no value at a probe.
-    pub(super) fn measure(&mut self) {
-        let (boundary, inner): (Vec<_>, Vec<_>) =
-            self.probes().into_iter().partition(|probe| matches!(probe.facet, Facet::Boundary(..)));
-        let inside = inner.iter().zip(self.images(&inner)).map(|(&probe, w)| (probe, self.error_inside(probe, w)));
-        let around = boundary.iter().map(|&probe| (probe, self.error_on_boundary(probe, self.on_boundary(probe))));
+    /// Finds the largest distances between the map and its affine pieces: infinite if the map has no value at a probe. What is
+    /// `known` of the map is not asked again.
+    pub(super) fn measure(&mut self, known: &Known) {
         let (mut seen, mut crowded) = (0.0, 0.0_f64);
-        for (probe, error) in inside.chain(around) {
+        let mut note = |probe: Probe, error: f64| {
             let largest = if self.is_shorter(probe.facet, ONE_COLOUR) { &mut crowded } else { &mut seen };
             *largest = error.max(*largest);
+        };
+        let mut new = Vec::new();
+        for probe in self.probes() {
+            if matches!(probe.facet, Facet::Boundary(..)) {
+                let point = known.boundary.get(&probe).copied().unwrap_or_else(|| self.on_boundary(probe));
+                note(probe, self.error_on_boundary(probe, point));
+            } else if let Some(&image) = known.inner.get(&probe) {
+                note(probe, self.error_inside(probe, image));
+            } else {
+                new.push(probe);
+            }
+        }
+        for (&probe, image) in new.iter().zip(self.images(&new)) {
+            note(probe, self.error_inside(probe, image));
         }
         self.evidence.largest_error = seen;
         self.evidence.crowded_error = crowded;
@@ -112,7 +122,7 @@ impl Draft<'_> {
     }
 
     /// Adds the middles of edges that are `off`, and of such triangles whose edges are all good.
-    fn add_where(&mut self, known: &Known, off: &HashSet<Facet>) -> usize {
+    fn add_where(&mut self, known: &Known, off: &FxHashSet<Facet>) -> usize {
         let edge_off =
             |(p, q): (u32, u32)| off.contains(&Facet::Edge(p.min(q), p.max(q))) || off.contains(&Facet::Boundary(p, q));
         let mut starts = Vec::new();

@@ -7,7 +7,7 @@ use super::side::Outline;
 use super::triangles::orientation;
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64};
-use std::collections::HashSet;
+use rustc_hash::FxHashSet;
 
 /// Inner nodes are farther from an outline than this share of its length.
 const LEAST_DEPTH: f64 = 1e-13;
@@ -26,7 +26,7 @@ pub(super) struct Draft<'a> {
     pub(super) evidence: MeshEvidence,
     pub(super) room: Room,
     /// Where inner nodes of the source are, as bits: two middles may fall together.
-    taken: HashSet<[u64; 2]>,
+    taken: FxHashSet<[u64; 2]>,
 }
 
 impl<'a> Draft<'a> {
@@ -44,7 +44,7 @@ impl<'a> Draft<'a> {
             triangles: Vec::new(),
             evidence,
             room,
-            taken: HashSet::new(),
+            taken: FxHashSet::default(),
         })
     }
 
@@ -171,19 +171,18 @@ impl<'a> Draft<'a> {
 
     /// Whether three nodes lie on one straight edge of a copy's outline.
     pub(super) fn is_straight(&self, copy: usize, nodes: [u32; 3]) -> bool {
-        let place = |k: u32| self.places.get(k as usize).copied().flatten();
-        let [Some(a), Some(b), Some(c)] = nodes.map(place) else { return false };
-        self.on_one_edge(copy, [a, b, c])
-    }
-
-    fn on_one_edge(&self, copy: usize, nodes: [RingNode; 3]) -> bool {
+        // Most triangles have an inner node.
+        let is_inner = |k: u32| self.places.get(k as usize).is_none_or(Option::is_none);
+        if nodes.into_iter().any(is_inner) {
+            return false;
+        }
         let Some(polygon) = self.outlines[copy].straight() else { return false };
-        let edges = |node: RingNode| {
-            let place = if copy == 0 { node.source } else { node.target };
+        let edges = |k: u32| {
+            let place = self.places[k as usize].map(|node| if copy == 0 { node.source } else { node.target })?;
             let before = (place.edge + polygon.len() - 1) % polygon.len();
-            [place.edge, if place.t == 0.0 { before } else { place.edge }]
+            Some([place.edge, if place.t == 0.0 { before } else { place.edge }])
         };
-        let [a, b, c] = nodes.map(edges);
+        let [Some(a), Some(b), Some(c)] = nodes.map(edges) else { return false };
         a.iter().any(|edge| b.contains(edge) && c.contains(edge))
     }
 }

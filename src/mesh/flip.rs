@@ -4,7 +4,7 @@ use super::connect::connect;
 use super::draft::Draft;
 use super::triangles::{edges, orientation};
 use crate::Result;
-use std::collections::{HashMap, HashSet};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 impl Draft<'_> {
     /// Connects the nodes anew: a constrained Delaunay triangulation of the source, without triangles that only rounding
@@ -34,13 +34,13 @@ impl Draft<'_> {
         loop {
             let mut pending: Vec<usize> =
                 (0..self.triangles.len()).filter(|&t| wanted(self, self.triangles[t])).collect();
-            let nodes: HashSet<u32> = pending.iter().flat_map(|&t| self.triangles[t]).collect();
+            let nodes: FxHashSet<u32> = pending.iter().flat_map(|&t| self.triangles[t]).collect();
             if pending.is_empty() {
                 return;
             }
             // Neighbours have two nodes of the triangle.
             let near = |t: &[u32; 3]| t.iter().filter(|k| nodes.contains(k)).count() > 1;
-            let mut left_of: HashMap<(u32, u32), usize> = HashMap::new();
+            let mut left_of: FxHashMap<(u32, u32), usize> = FxHashMap::default();
             for (index, t) in self.triangles.iter().enumerate().filter(|(_, t)| near(t)) {
                 edges(*t).into_iter().for_each(|edge| left_of.extend([(edge, index)]));
             }

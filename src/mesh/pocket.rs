@@ -8,7 +8,7 @@ use super::compatible::{Corners, compatible};
 use super::draft::Draft;
 use super::triangles::{orientation, outlines_of};
 use crate::plane::Complex64;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// Patches grow by a ring of triangles until both their outlines are simple; this often at most.
 const MOST_RINGS: usize = 40;
@@ -26,7 +26,7 @@ impl Draft<'_> {
     /// Connects the surroundings of these triangles anew. False if some cannot be mended.
     pub(super) fn mend(&mut self, bad: &[[u32; 3]]) -> bool {
         let mut patch: Vec<bool> = self.triangles.iter().map(|t| bad.contains(t)).collect();
-        let mut known: HashMap<(usize, usize), Option<Mended>> = HashMap::new();
+        let mut known: FxHashMap<(usize, usize), Option<Mended>> = FxHashMap::default();
         for _ in 0..MOST_RINGS {
             let groups = self.groups(&patch);
             let mut done = true;
@@ -66,7 +66,7 @@ impl Draft<'_> {
             }
         }
         let mut groups: Vec<Vec<usize>> = Vec::new();
-        let mut number: HashMap<u32, usize> = HashMap::new();
+        let mut number: FxHashMap<u32, usize> = FxHashMap::default();
         for (index, t) in self.triangles.iter().enumerate().filter(|(index, _)| marked[*index]) {
             let root = find(&mut leader, t[0]);
             let group = *number.entry(root).or_insert_with(|| {

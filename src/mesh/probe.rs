@@ -134,6 +134,17 @@ impl Draft<'_> {
 
     /// Whether all of a facet lies within this share of the source's outline.
     pub(super) fn is_shorter(&self, facet: Facet, share: f64) -> bool {
-        facet.extent(&self.source) < share * self.outlines[0].length()
+        let bound = share * self.outlines[0].length();
+        let at = |k: u32| self.source[k as usize];
+        // Most are longer by far, which takes no square root to see.
+        let is_longer = |p: u32, q: u32| {
+            let d = at(p) - at(q);
+            d.re.abs() >= bound || d.im.abs() >= bound
+        };
+        let is_long = match facet {
+            Facet::Edge(p, q) | Facet::Boundary(p, q) => is_longer(p, q),
+            Facet::Triangle([a, b, c]) => is_longer(a, b) || is_longer(b, c) || is_longer(c, a),
+        };
+        !is_long && facet.extent(&self.source) < bound
     }
 }
