@@ -36,6 +36,14 @@ pub enum Error {
         /// What is wrong with it.
         reason: String,
     },
+    /// The boundary turns back on itself at a point: an interior angle of 0 or 2π.
+    #[error("The boundary has a cusp near {}, where edge {edge} starts: edges must meet at an angle.", place(.at))]
+    Cusp {
+        /// Index of the edge that starts there.
+        edge: usize,
+        /// The tip.
+        at: Complex64,
+    },
     /// The center is not strictly inside the region.
     #[error("The center {} must lie inside the region.", place(.center))]
     CenterOutside {
@@ -292,6 +300,7 @@ impl Error {
             Self::NotFinite { .. } => "not-finite",
             Self::SelfIntersecting { .. } => "self-intersecting",
             Self::InvalidOutline { .. } => "invalid-outline",
+            Self::Cusp { .. } => "cusp",
             Self::CenterOutside { .. } => "center-outside",
             Self::InHole { error, .. } => error.code(),
             Self::HolesMeet { .. } => "holes-meet",

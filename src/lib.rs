@@ -67,7 +67,10 @@ pub use error::{Error, Result};
 pub use formula::FormulaMap;
 pub use map::{Compose, Inverse, InvertibleMap, Jet, Moebius, PlaneMap};
 pub use mesh::{Density, JointTriangulation, MeshEvidence, MeshOptions, MeshStop, Route};
-pub use plane::{BoundaryPoint, Complex64, Curve, Domain, Frame, Polygon, Region, SmoothCurve, parse_outline};
+pub use plane::{
+    ArcTo, BoundaryPoint, Complex64, Curve, CurvedOutline, Domain, Edge, EllipticArc, Frame, Polygon, Region,
+    SmoothCurve, parse_outline,
+};
 pub use riemann::{
     AnnulusMap, CanonicalMap, Circulation, Conductors, DiskPoint, Electrostatics, ExteriorMap, FlowLines, HalfPlaneMap,
     JoinedMap, LevelLine, PotentialFlow, RectangleMap, RegionMap, RiemannMap, RingLines, Slit, SlitKind, SlitMap,

@@ -1,7 +1,9 @@
 //! The plane: complex points, frames (pixels ↔ plane), polygons, regions, and domains with holes.
 
 mod contour;
+mod curved_outline;
 mod domain;
+mod edge;
 mod edge_tree;
 pub(crate) mod fourier;
 mod frame;
@@ -15,8 +17,10 @@ mod svg_file;
 pub(crate) mod svg_path;
 
 pub use contour::Curve;
+pub use curved_outline::CurvedOutline;
 pub use domain::Domain;
 pub(crate) use domain::DomainPoint;
+pub use edge::{ArcTo, Edge, EllipticArc};
 pub(crate) use edge_tree::EdgeTree;
 pub use frame::Frame;
 pub use num_complex::Complex64;
