@@ -1,8 +1,8 @@
-//! One simple closed curve: a polygon, or a smooth curve through the same points.
+//! One simple closed curve: a polygon, a smooth curve through the same points, or a chain of curved edges.
 
 use super::polygon::ON_BOUNDARY;
-use super::{BoundaryPoint, Complex64, Polygon, SmoothCurve};
-use crate::Result;
+use super::{BoundaryPoint, Complex64, CurvedOutline, Edge, Polygon, SmoothCurve};
+use crate::{Error, Result};
 use std::sync::Arc;
 
 /// How the boundary points are joined.
@@ -14,42 +14,69 @@ pub enum Curve {
     Polygon,
     /// The trigonometric interpolant joins them: a smooth curve through points that follow it evenly.
     Smooth,
+    /// It consists of edges, lines and curves as they were drawn: [`Region::from_edges`](super::Region::from_edges).
+    #[cfg_attr(target_arch = "wasm32", serde(skip))]
+    Edges,
 }
 
 /// A simple closed curve that knows its inside, and how near to it points count as on it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Contour {
     polygon: Polygon,
-    smooth: Option<Arc<SmoothCurve>>,
+    shape: Shape,
     /// Points as near to the curve as this are on it, as far as numbers can tell.
     thickness: f64,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Shape {
+    Straight,
+    Smooth(Arc<SmoothCurve>),
+    Curved(Arc<CurvedOutline>),
 }
 
 impl Contour {
     /// The curve through `points`, in either orientation.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::TooFewVertices`](crate::Error::TooFewVertices) and
-    /// [`Error::SelfIntersecting`](crate::Error::SelfIntersecting).
+    /// [`Error::NotFinite`], [`Error::TooFewVertices`] and [`Error::SelfIntersecting`]; [`Error::WrongRegion`] for edges, which
+    /// points do not make.
     pub fn new(points: &[Complex64], curve: Curve) -> Result<Self> {
-        let smooth = match curve {
-            Curve::Polygon => None,
-            Curve::Smooth => Some(Arc::new(SmoothCurve::new(points)?)),
+        let (shape, polygon, rounding) = match curve {
+            Curve::Polygon => (Shape::Straight, Polygon::new(points)?, 1.0),
+            Curve::Smooth => {
+                let curve = SmoothCurve::new(points)?;
+                let (polygon, rounding) = (Polygon::new(curve.points())?, curve.rounding());
+                (Shape::Smooth(Arc::new(curve)), polygon, rounding)
+            }
+            Curve::Edges => {
+                let found = "points alone".to_string();
+                return Err(Error::WrongRegion { what: "An outline of edges", needed: "the edges", found });
+            }
         };
-        let polygon = Polygon::new(smooth.as_ref().map_or(points, |curve| curve.points()))?;
         let (low, high) = polygon.bounds();
         let reach = [low.re, low.im, high.re, high.im].into_iter().map(f64::abs).fold(polygon.size(), f64::max);
-        let thickness = ON_BOUNDARY * reach * smooth.as_ref().map_or(1.0, |curve| curve.rounding());
-        Ok(Self { polygon, smooth, thickness })
+        Ok(Self { polygon, shape, thickness: ON_BOUNDARY * reach * rounding })
+    }
+
+    /// The closed chain of edges, in either orientation.
+    ///
+    /// # Errors
+    /// Those of [`CurvedOutline::new`].
+    pub fn from_edges(edges: &[Edge]) -> Result<Self> {
+        let curved = CurvedOutline::new(edges)?;
+        let (polygon, thickness) = (curved.polygon().clone(), curved.thickness());
+        Ok(Self { polygon, shape: Shape::Curved(Arc::new(curved)), thickness })
     }
 
     /// The same curve, `by` plane units away; that should be no farther from 0 than this one.
     pub fn moved(&self, by: Complex64) -> Self {
-        Self {
-            polygon: self.polygon.moved(by),
-            smooth: self.smooth.as_ref().map(|curve| Arc::new(curve.moved(by))),
-            thickness: self.thickness,
-        }
+        let shape = match &self.shape {
+            Shape::Straight => Shape::Straight,
+            Shape::Smooth(curve) => Shape::Smooth(Arc::new(curve.moved(by))),
+            Shape::Curved(outline) => Shape::Curved(Arc::new(outline.moved(by))),
+        };
+        Self { polygon: self.polygon.moved(by), shape, thickness: self.thickness }
     }
 
     /// Points as near to the curve as this are on it, as far as numbers can tell.
@@ -57,63 +84,79 @@ impl Contour {
         self.thickness
     }
 
-    /// The polygon of its points: the curve itself, unless it is smooth.
+    /// The polygon of its points: the curve itself, unless it is smooth; of edges, the polygon that they look like.
     pub fn polygon(&self) -> &Polygon {
         &self.polygon
     }
 
     /// The smooth curve, if it is one.
     pub fn smooth(&self) -> Option<&Arc<SmoothCurve>> {
-        self.smooth.as_ref()
+        if let Shape::Smooth(curve) = &self.shape { Some(curve) } else { None }
+    }
+
+    /// The chain of edges, if it is one.
+    pub fn curved(&self) -> Option<&Arc<CurvedOutline>> {
+        if let Shape::Curved(outline) = &self.shape { Some(outline) } else { None }
     }
 
     /// The polygon that the curve looks like: itself, or fine samples of it.
     pub fn outline(&self) -> &Polygon {
-        self.smooth.as_ref().map_or(&self.polygon, |curve| curve.outline())
+        self.smooth().map_or(&self.polygon, |curve| curve.outline())
     }
 
     /// How its points are joined.
     pub fn curve(&self) -> Curve {
-        if self.smooth.is_some() { Curve::Smooth } else { Curve::Polygon }
+        match self.shape {
+            Shape::Straight => Curve::Polygon,
+            Shape::Smooth(_) => Curve::Smooth,
+            Shape::Curved(_) => Curve::Edges,
+        }
     }
 
     /// The point of the curve nearest to `z`.
     pub fn nearest(&self, z: Complex64) -> BoundaryPoint {
-        match &self.smooth {
-            None => self.polygon.nearest(z),
-            Some(curve) => curve.place(curve.nearest_parameter(z)),
+        match &self.shape {
+            Shape::Straight => self.polygon.nearest(z),
+            Shape::Smooth(curve) => curve.place(curve.nearest_parameter(z)),
+            Shape::Curved(outline) => outline.nearest(z),
         }
     }
 
     /// The point of the curve that `z` is, up to rounding.
     pub fn on_curve(&self, z: Complex64) -> Option<BoundaryPoint> {
-        match &self.smooth {
-            None => self.polygon.nearest_within(z, self.thickness),
-            Some(_) => Some(self.nearest(z)).filter(|place| (place.point - z).norm() <= self.thickness),
+        match &self.shape {
+            Shape::Straight => self.polygon.nearest_within(z, self.thickness),
+            Shape::Smooth(_) => Some(self.nearest(z)).filter(|place| (place.point - z).norm() <= self.thickness),
+            Shape::Curved(outline) => outline.on_edge(z),
         }
     }
 
     /// Whether `z` lies inside or on the curve, up to rounding.
     pub fn contains(&self, z: Complex64) -> bool {
-        match &self.smooth {
-            None => self.polygon.contains(z) || self.polygon.nearest_within(z, self.thickness).is_some(),
-            Some(curve) => curve.signed_distance(z) >= -self.thickness,
+        match &self.shape {
+            Shape::Straight => self.polygon.contains(z) || self.polygon.nearest_within(z, self.thickness).is_some(),
+            Shape::Smooth(curve) => curve.signed_distance(z) >= -self.thickness,
+            Shape::Curved(outline) => outline.contains(z),
         }
     }
 
     /// Whether `z` lies inside and clearly not on the curve.
     pub fn contains_strictly(&self, z: Complex64) -> bool {
-        match &self.smooth {
-            None => self.polygon.contains_strictly(z),
-            Some(curve) => curve.signed_distance(z) > 1e-12 * self.polygon.size(),
+        match &self.shape {
+            Shape::Straight => self.polygon.contains_strictly(z),
+            Shape::Smooth(curve) => curve.signed_distance(z) > 1e-12 * self.polygon.size(),
+            Shape::Curved(outline) => outline.signed_distance(z) > self.thickness,
         }
     }
 
     /// Whether `z` lies inside, and not on the curve up to rounding.
     pub fn encloses(&self, z: Complex64) -> bool {
-        match &self.smooth {
-            None => self.polygon.contains_strictly(z) && self.polygon.nearest_within(z, self.thickness).is_none(),
-            Some(curve) => curve.signed_distance(z) > self.thickness,
+        match &self.shape {
+            Shape::Straight => {
+                self.polygon.contains_strictly(z) && self.polygon.nearest_within(z, self.thickness).is_none()
+            }
+            Shape::Smooth(curve) => curve.signed_distance(z) > self.thickness,
+            Shape::Curved(outline) => outline.signed_distance(z) > self.thickness,
         }
     }
 }

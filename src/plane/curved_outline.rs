@@ -1,6 +1,8 @@
 //! A closed chain of analytic edges.
 
-use super::{Complex64, Edge};
+use super::edge_pieces::EdgePieces;
+use super::polygon::ON_BOUNDARY;
+use super::{BoundaryPoint, Complex64, Edge, Polygon};
 use crate::{Error, Result};
 use std::f64::consts::PI;
 
@@ -11,20 +13,27 @@ pub struct CurvedOutline {
     /// Interior angle where each edge starts, divided by π, in (0, 2).
     alpha: Vec<f64>,
     size: f64,
+    pieces: EdgePieces,
 }
 
 /// Corners of angles nearer to 0 or 2π than this are cusps, in radians.
 const CUSP: f64 = 1e-6;
 /// Ends that are apart less than this share of the outline's size are one point.
 const JOINED: f64 = 1e-9;
+/// By how much more than vertices points of curves are rounded.
+const ROUNDING: f64 = 4.0;
 
 impl CurvedOutline {
     /// A chain of edges around a region, in either orientation; one that runs clockwise is turned around.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::InvalidOutline`] for gaps between edges and edges of no length; [`Error::Cusp`].
+    /// [`Error::NotFinite`]; [`Error::InvalidOutline`] for gaps between edges and edges of no length; [`Error::Cusp`];
+    /// [`Error::SelfIntersecting`] if edges cross or touch themselves or others.
     pub fn new(edges: &[Edge]) -> Result<Self> {
         let n = edges.len();
+        if let Some(k) = edges.iter().position(Edge::overlaps_itself) {
+            return Err(wrong(format!("edge {k} is an arc of more than a full turn")));
+        }
         let corners: Vec<(Complex64, Complex64)> = edges.iter().map(Edge::bounds).collect();
         if n == 0 || corners.iter().any(|(low, high)| !low.is_finite() || !high.is_finite()) {
             return Err(Error::NotFinite { what: "The outline".to_string() });
@@ -40,19 +49,16 @@ impl CurvedOutline {
                 return Err(wrong(format!("edge {k} has no length")));
             }
         }
-        let mut edges = edges.to_vec();
-        if area(&edges, 0.5 * (low + high)) < 0.0 {
-            edges = edges.iter().rev().map(Edge::reversed).collect();
-        }
-        let mut alpha = Vec::with_capacity(n);
         for k in 0..n {
-            let turn = (edges[k].start_direction() * edges[(k + n - 1) % n].end_direction().conj()).arg();
+            let turn = turn_before(edges, k);
             if turn.abs() > PI - CUSP {
                 return Err(Error::Cusp { edge: k, at: edges[k].from() });
             }
-            alpha.push(1.0 - turn / PI);
         }
-        Ok(Self { edges, alpha, size })
+        let (pieces, clockwise) = EdgePieces::new(edges, size)?;
+        let edges = if clockwise { edges.iter().rev().map(Edge::reversed).collect() } else { edges.to_vec() };
+        let alpha = (0..n).map(|k| 1.0 - turn_before(&edges, k) / PI).collect();
+        Ok(Self { edges, alpha, size, pieces })
     }
 
     /// The edges, counter-clockwise.
@@ -76,7 +82,63 @@ impl CurvedOutline {
     /// The same outline, `by` plane units away.
     #[must_use]
     pub fn moved(&self, by: Complex64) -> Self {
-        Self { edges: self.edges.iter().map(|edge| edge.moved(by)).collect(), ..self.clone() }
+        let edges = self.edges.iter().map(|edge| edge.moved(by)).collect();
+        Self { edges, pieces: self.pieces.moved(by), ..self.clone() }
+    }
+
+    /// Lower left and upper right corners of the bounding box.
+    #[must_use]
+    pub fn bounds(&self) -> (Complex64, Complex64) {
+        self.pieces.polygon().bounds()
+    }
+
+    /// The polygon that it looks like: no farther from it than two millionths of its size.
+    #[must_use]
+    pub fn polygon(&self) -> &Polygon {
+        self.pieces.polygon()
+    }
+
+    /// Whether `z` lies inside, or on the edges up to rounding. False for NaN.
+    #[must_use]
+    pub fn contains(&self, z: Complex64) -> bool {
+        self.pieces.contains(z) || self.on_edge(z).is_some()
+    }
+
+    /// Distance from the edges, positive inside; negative infinity for NaN.
+    #[must_use]
+    pub fn signed_distance(&self, z: Complex64) -> f64 {
+        if !z.is_finite() {
+            return f64::NEG_INFINITY;
+        }
+        let (_, distance) = self.pieces.nearest(z);
+        if self.pieces.contains(z) { distance } else { -distance }
+    }
+
+    /// The point of the edges nearest to `z`: edge and parameter t in [0, 1).
+    #[must_use]
+    pub fn nearest(&self, z: Complex64) -> BoundaryPoint {
+        self.pieces.nearest(z).0
+    }
+
+    /// The point of the edges that `z` is, up to rounding.
+    #[must_use]
+    pub fn on_edge(&self, z: Complex64) -> Option<BoundaryPoint> {
+        let (place, distance) = self.pieces.nearest(z);
+        (distance <= self.thickness()).then_some(place)
+    }
+
+    /// Points as near to the edges as this are on them, as far as numbers can tell.
+    #[must_use]
+    pub fn thickness(&self) -> f64 {
+        let (low, high) = self.bounds();
+        let reach = [low.re, low.im, high.re, high.im].into_iter().map(f64::abs).fold(self.size, f64::max);
+        ROUNDING * ON_BOUNDARY * reach
+    }
+
+    /// The point of edge `edge` at its parameter `t`.
+    #[must_use]
+    pub fn place(&self, edge: usize, t: f64) -> BoundaryPoint {
+        BoundaryPoint { edge, t, point: self.edges[edge].point(t) }
     }
 }
 
@@ -84,16 +146,10 @@ fn wrong(reason: String) -> Error {
     Error::InvalidOutline { reason }
 }
 
-/// Twice the area within, positive if counter-clockwise, by 16 chords of each edge.
-fn area(edges: &[Edge], middle: Complex64) -> f64 {
-    const CHORDS: u32 = 16;
-    let chords = edges.iter().flat_map(|edge| {
-        (0..CHORDS).map(move |j| {
-            let at = |j: u32| edge.point(f64::from(j) / f64::from(CHORDS)) - middle;
-            (at(j).conj() * at(j + 1)).im
-        })
-    });
-    chords.sum()
+/// The angle, from −π to π, by which the outline turns to the left where edge `k` starts.
+fn turn_before(edges: &[Edge], k: usize) -> f64 {
+    let before = &edges[(k + edges.len() - 1) % edges.len()];
+    (edges[k].start_direction() * before.end_direction().conj()).arg()
 }
 
 #[cfg(test)]
@@ -115,6 +171,123 @@ mod tests {
             }
             assert_eq!(outline.size(), 2.0);
         }
+    }
+
+    /// A cubic letter "D" with a bow, an elliptic arc and a quadratic.
+    fn bow() -> [Edge; 4] {
+        let at = Complex64::new;
+        let arc = crate::plane::ArcTo { radii: (2.0, 1.0), rotation: 0.3, large: false, counterclockwise: true };
+        [
+            Edge::Cubic([at(0.0, 0.0), at(1.0, -2.0), at(2.0, 1.5), at(3.0, 0.0)]),
+            Edge::arc_to(at(3.0, 0.0), at(2.0, 2.0), arc),
+            Edge::Quadratic([at(2.0, 2.0), at(1.0, 1.0), at(0.0, 2.0)]),
+            Edge::line(at(0.0, 2.0), at(0.0, 0.0)),
+        ]
+    }
+
+    #[test]
+    fn sides_are_told_apart_and_feet_found_to_rounding() {
+        let outline = CurvedOutline::new(&bow()).unwrap();
+        for (k, edge) in outline.edges().iter().enumerate() {
+            for t in [1e-6, 0.01, 0.3, 0.5, 0.77, 0.999] {
+                let z = edge.point(t);
+                let along = edge.tangent(t.into());
+                let normal = Complex64::i() * along / along.norm();
+                for depth in [1e-14, 1e-9, 1e-7] {
+                    for side in [1.0, -1.0] {
+                        let found = outline.signed_distance(z + normal * (side * depth));
+                        assert!((found - side * depth).abs() < 2e-15, "{k} {t} {depth}: {found}");
+                    }
+                    let foot = outline.nearest(z + normal * depth);
+                    let miss = (foot.point - z).norm().max((foot.t - t).abs() * along.norm());
+                    assert!(foot.edge == k && miss < 3e-15 + 1e-8 * depth, "{k} {t} {depth}: {miss}");
+                }
+                assert!(outline.contains(z) && outline.on_edge(z).is_some());
+                assert_eq!(outline.place(k, t).point, z);
+            }
+        }
+        let nan = Complex64::new(f64::NAN, 0.0);
+        assert!(!outline.contains(nan) && outline.signed_distance(nan) < 0.0);
+    }
+
+    #[test]
+    fn nearest_points_are_nearest_of_many() {
+        let outline = CurvedOutline::new(&bow()).unwrap();
+        let samples: Vec<Complex64> =
+            outline.edges().iter().flat_map(|edge| (0..4000).map(|j| edge.point(f64::from(j) / 4000.0))).collect();
+        for k in 0..200 {
+            let (x, y) = (f64::from(k % 20) * 0.25 - 1.0, f64::from(k / 20) * 0.4 - 1.0);
+            let z = Complex64::new(x + 0.013, y + 0.007);
+            let least = samples.iter().map(|sample| (sample - z).norm()).fold(f64::INFINITY, f64::min);
+            let found = (outline.nearest(z).point - z).norm();
+            assert!(found <= least + 1e-15 && found > least - 1e-3, "{z}: {found} {least}");
+            // Far from the edges the polygon decides likewise.
+            if found > 1e-4 {
+                assert_eq!(outline.contains(z), outline.polygon().contains(z), "{z}");
+            }
+        }
+    }
+
+    #[test]
+    fn edges_that_cross_are_named_either_way_around() {
+        let at = Complex64::new;
+        // A cubic with a loop, closed by a line; and an arc that two lines cross.
+        let loops = [
+            Edge::Cubic([at(0.0, 0.0), at(4.0, 3.0), at(-3.0, 3.0), at(1.0, 0.0)]),
+            Edge::line(at(1.0, 0.0), at(0.0, 0.0)),
+        ];
+        let crossed = [
+            Edge::circular(at(0.0, 0.0), 1.0, 0.0, PI),
+            Edge::line(at(-1.0, 0.0), at(-1.0, -1.0)),
+            Edge::line(at(-1.0, -1.0), at(0.0, 1.001)),
+            Edge::line(at(0.0, 1.001), at(1.0, 0.0)),
+        ];
+        for (edges, pair) in [(&loops[..], (0, 0)), (&crossed[..], (0, 3))] {
+            let n = edges.len();
+            let Err(Error::SelfIntersecting { first, second, .. }) = CurvedOutline::new(edges) else {
+                panic!("{edges:?} is accepted")
+            };
+            assert_eq!((first, second), pair);
+            let back: Vec<Edge> = edges.iter().rev().map(Edge::reversed).collect();
+            let Err(Error::SelfIntersecting { first, second, .. }) = CurvedOutline::new(&back) else {
+                panic!("{back:?} is accepted")
+            };
+            assert!(n - 1 - second == pair.0 && n - 1 - first <= pair.1);
+        }
+    }
+
+    #[test]
+    fn edges_nearly_touch_without_crossing() {
+        let at = Complex64::new;
+        // A bridge over a bump, as near as 1e-9.
+        for gap in [1e-3, 1e-6, 1e-9] {
+            let edges = [
+                Edge::circular(at(0.0, 0.0), 1.0, PI, -PI),
+                Edge::line(at(1.0, 0.0), at(2.0, 0.0)),
+                Edge::line(at(2.0, 0.0), at(2.0, 1.0 + gap)),
+                Edge::line(at(2.0, 1.0 + gap), at(-2.0, 1.0 + gap)),
+                Edge::line(at(-2.0, 1.0 + gap), at(-2.0, 0.0)),
+                Edge::line(at(-2.0, 0.0), at(-1.0, 0.0)),
+            ];
+            let outline = CurvedOutline::new(&edges).unwrap();
+            let middle = outline.signed_distance(at(0.0, 1.0 + 0.5 * gap));
+            assert!((middle - 0.5 * gap).abs() < 1e-15, "{gap}: {middle}");
+            let mut through = edges;
+            through[0] = Edge::circular(at(0.0, 2.0 * gap), 1.0, PI, -PI);
+            assert!(CurvedOutline::new(&through).is_err(), "{gap}");
+        }
+    }
+
+    #[test]
+    fn one_edge_alone_can_close() {
+        let circle = CurvedOutline::new(&[Edge::circular(Complex64::ONE, 1.0, 0.5, 2.0 * PI)]).unwrap();
+        assert!((circle.alpha(0) - 1.0).abs() < 1e-15);
+        assert!((circle.signed_distance(Complex64::new(1.5, 0.0)) - 0.5).abs() < 1e-15);
+        let twice = CurvedOutline::new(&[Edge::circular(Complex64::ONE, 1.0, 0.5, 4.0 * PI)]).unwrap_err();
+        assert_eq!(twice.code(), "invalid-outline");
+        // Twice the same half circle, forth and back, is nothing but a cusp.
+        let arc = Edge::circular(Complex64::ZERO, 1.0, 0.0, PI);
+        assert_eq!(CurvedOutline::new(&[arc, arc.reversed()]).unwrap_err().code(), "cusp");
     }
 
     #[test]

@@ -47,6 +47,8 @@ pub struct ArcTo {
 
 /// Control points nearer to an end than this share of the curve's size do not tell its direction there.
 const COINCIDENT: f64 = 1e-9;
+/// Arcs that sweep more than once around meet themselves; rounding may add a little.
+const MOST_SWEEP: f64 = TAU * (1.0 + 1e-9);
 /// Steps of Newton's method.
 const STEPS: usize = 30;
 
@@ -68,6 +70,19 @@ impl EllipticArc {
     #[must_use]
     pub fn sweep(&self) -> f64 {
         self.sweep
+    }
+
+    /// Both ends, the radii along cosine and sine, and the angles `start` and `sweep`: all that it is.
+    pub(super) fn parts(&self) -> ([Complex64; 4], [f64; 2]) {
+        ([self.from, self.to, self.cosine, self.sine], [self.start, self.sweep])
+    }
+
+    /// The arc of these parts, unless they contradict each other.
+    pub(super) fn from_parts([from, to, cosine, sine]: [Complex64; 4], [start, sweep]: [f64; 2]) -> Option<Self> {
+        let arc = Self { from, to, cosine, sine, start, sweep };
+        let size = cosine.norm() + sine.norm() + from.norm();
+        let miss = (from + Edge::Arc(arc).from_start(Complex64::ONE) - to).norm();
+        (miss <= 1e-9 * size && sweep.abs() <= MOST_SWEEP).then_some(arc)
     }
 
     /// dz/dφ.
@@ -354,8 +369,13 @@ impl Edge {
         (low, high)
     }
 
+    /// Whether it is an arc that goes around more than once.
+    pub(super) fn overlaps_itself(&self) -> bool {
+        matches!(self, Self::Arc(arc) if arc.sweep.abs() > MOST_SWEEP)
+    }
+
     /// The parameters where x or y may be extreme.
-    fn turning_points(&self) -> Vec<f64> {
+    pub(super) fn turning_points(&self) -> Vec<f64> {
         match self {
             Self::Line { .. } => Vec::new(),
             Self::Arc(arc) => {

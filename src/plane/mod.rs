@@ -4,6 +4,7 @@ mod contour;
 mod curved_outline;
 mod domain;
 mod edge;
+mod edge_pieces;
 mod edge_tree;
 pub(crate) mod fourier;
 mod frame;
@@ -13,6 +14,7 @@ mod polygon;
 mod region;
 mod smooth_curve;
 mod sorting;
+mod stored_edges;
 mod svg_file;
 pub(crate) mod svg_path;
 

@@ -1,7 +1,8 @@
 //! A simply connected region with the point and direction that make its Riemann map unique.
 
 use super::contour::{Contour, Curve};
-use super::{BoundaryPoint, Complex64, Polygon, SmoothCurve};
+use super::stored_edges;
+use super::{BoundaryPoint, Complex64, CurvedOutline, Edge, Polygon, SmoothCurve};
 use crate::stored::{Reader, Writer};
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -15,6 +16,11 @@ pub struct Region {
     center: Complex64,
     toward: BoundaryPoint,
 }
+
+/// What boundaries are stored as; what is neither straight nor made of edges was always read as smooth.
+const STRAIGHT: u8 = 0;
+const SMOOTH: u8 = 1;
+const EDGES: u8 = 2;
 
 impl Region {
     /// A region from its boundary points, in either orientation. `toward` is snapped to the nearest boundary point.
@@ -31,7 +37,31 @@ impl Region {
     /// [`Error::NotFinite`], [`Error::TooFewVertices`] and [`Error::SelfIntersecting`] for the boundary;
     /// [`Error::CenterOutside`] unless `center` is strictly inside.
     pub fn new(boundary: &[Complex64], curve: Curve, center: Complex64, toward: Complex64) -> Result<Self> {
-        let contour = Contour::new(boundary, curve)?;
+        Self::within(Contour::new(boundary, curve)?, center, toward)
+    }
+
+    /// A region from the edges of its boundary, lines and curves: a closed chain in either orientation. Edges meet in corners
+    /// where their directions differ, smoothly where they do not. `toward` is snapped to the nearest boundary point.
+    ///
+    /// ```
+    /// use conformal_warp::{Complex64, Edge, Region};
+    /// use std::f64::consts::PI;
+    /// // The upper half of the unit disk.
+    /// let edges = [Edge::line(-Complex64::ONE, Complex64::ONE), Edge::circular(Complex64::ZERO, 1.0, 0.0, PI)];
+    /// let region = Region::from_edges(&edges, Complex64::new(0.0, 0.5), Complex64::ONE)?;
+    /// assert!(region.contains(Complex64::from_polar(1.0 - 1e-14, 1.0)));
+    /// assert!(!region.contains(Complex64::from_polar(1.0 + 1e-14, 1.0)));
+    /// # Ok::<(), conformal_warp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::InvalidOutline`] for gaps and edges without length, [`Error::Cusp`] and
+    /// [`Error::SelfIntersecting`] for the boundary; [`Error::CenterOutside`] unless `center` is strictly inside.
+    pub fn from_edges(edges: &[Edge], center: Complex64, toward: Complex64) -> Result<Self> {
+        Self::within(Contour::from_edges(edges)?, center, toward)
+    }
+
+    fn within(contour: Contour, center: Complex64, toward: Complex64) -> Result<Self> {
         let toward_0 = BoundaryPoint { edge: 0, t: 0.0, point: contour.polygon().vertices()[0] };
         Self { contour, center, toward: toward_0 }.with_center(center, toward)
     }
@@ -61,8 +91,20 @@ impl Region {
 
     /// Writes what [`Region::restore`] reads.
     pub(crate) fn store(&self, to: &mut Writer) {
-        to.case(u8::from(self.curve() == Curve::Smooth));
-        to.points(self.smooth().map_or(self.boundary(), |curve| curve.points()));
+        match (self.curved(), self.smooth()) {
+            (Some(outline), _) => {
+                to.case(EDGES);
+                stored_edges::store(outline.edges(), to);
+            }
+            (None, Some(curve)) => {
+                to.case(SMOOTH);
+                to.points(curve.points());
+            }
+            (None, None) => {
+                to.case(STRAIGHT);
+                to.points(self.boundary());
+            }
+        }
         to.point(self.center);
         to.count(self.toward.edge);
         to.number(self.toward.t);
@@ -74,27 +116,38 @@ impl Region {
     /// # Errors
     /// [`Error::Damaged`], and those of [`Region::new`].
     pub(crate) fn restore(from: &mut Reader) -> Result<Self> {
-        let curve = if from.case()? == 0 { Curve::Polygon } else { Curve::Smooth };
+        let case = from.case()?;
+        if case == EDGES {
+            let edges = stored_edges::restore(from)?;
+            let (center, toward) = restore_points(from, edges.len())?;
+            let region = Self::from_edges(&edges, center, toward.point)?;
+            let is_whole = region.curved().is_some_and(|outline| outline.edges() == edges);
+            return region.restored(toward, is_whole);
+        }
+        let curve = if case == STRAIGHT { Curve::Polygon } else { Curve::Smooth };
         let boundary = from.points()?;
-        let center = from.point()?;
-        let toward = BoundaryPoint { edge: from.index(boundary.len())?, t: from.number()?, point: from.point()? };
+        let (center, toward) = restore_points(from, boundary.len())?;
         let region = Self::new(&boundary, curve, center, toward.point)?;
         let is_whole = region.polygon().len() == boundary.len() && region.boundary() == boundary;
-        let is_there = (0.0..=1.0).contains(&toward.t) && region.on_boundary(toward.point).is_some();
-        if is_whole && is_there {
-            Ok(Self { toward, ..region })
+        region.restored(toward, is_whole)
+    }
+
+    fn restored(self, toward: BoundaryPoint, is_whole: bool) -> Result<Self> {
+        if is_whole && (0.0..=1.0).contains(&toward.t) && self.on_boundary(toward.point).is_some() {
+            Ok(Self { toward, ..self })
         } else {
             Err(Error::Damaged { reason: "its boundary is not as a region has it" })
         }
     }
 
-    /// The boundary points in plane units, counter-clockwise.
+    /// The boundary points in plane units, counter-clockwise; of edges, those of the polygon that they look like.
     #[must_use]
     pub fn boundary(&self) -> &[Complex64] {
         self.polygon().vertices()
     }
 
-    /// The polygon of the boundary points: the boundary itself, unless the curve is smooth.
+    /// The polygon of the boundary points: the boundary itself, unless the curve is smooth. Of edges, a polygon that leaves them
+    /// by two millionths of their size at most.
     #[must_use]
     pub fn polygon(&self) -> &Polygon {
         self.contour.polygon()
@@ -110,6 +163,12 @@ impl Region {
     #[must_use]
     pub fn smooth(&self) -> Option<&Arc<SmoothCurve>> {
         self.contour.smooth()
+    }
+
+    /// The chain of edges, if that is the boundary: boundary points count its edges, and its edges' parameters.
+    #[must_use]
+    pub fn curved(&self) -> Option<&Arc<CurvedOutline>> {
+        self.contour.curved()
     }
 
     /// The boundary itself.
@@ -148,9 +207,17 @@ impl Region {
     }
 }
 
+/// The center and the point toward, on a boundary of so many edges.
+fn restore_points(from: &mut Reader, edges: usize) -> Result<(Complex64, BoundaryPoint)> {
+    let center = from.point()?;
+    let toward = BoundaryPoint { edge: from.index(edges)?, t: from.number()?, point: from.point()? };
+    Ok((center, toward))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::stored::{Kind, read, written};
 
     const TRIANGLE: [Complex64; 3] = [Complex64::new(0.0, 0.0), Complex64::new(4.0, 0.0), Complex64::new(0.0, 4.0)];
 
@@ -169,5 +236,28 @@ mod tests {
         }
         let nan = Complex64::new(f64::NAN, 0.0);
         assert_eq!(Region::new(&TRIANGLE, Curve::Polygon, nan, TRIANGLE[0]).unwrap_err().code(), "not-finite");
+    }
+
+    #[test]
+    fn regions_of_edges_are_stored_to_the_bit() {
+        let at = Complex64::new;
+        let arc = crate::plane::ArcTo { radii: (2.0, 1.0), rotation: 0.3, large: false, counterclockwise: true };
+        let edges = [
+            Edge::Cubic([at(0.0, 0.0), at(1.0, -2.0), at(2.0, 1.5), at(3.0, 0.0)]),
+            Edge::arc_to(at(3.0, 0.0), at(2.0, 2.0), arc),
+            Edge::Quadratic([at(2.0, 2.0), at(1.0, 1.0), at(0.0, 2.0)]),
+            Edge::line(at(0.0, 2.0), at(0.0, 0.0)),
+        ];
+        let backwards: Vec<Edge> = edges.iter().rev().map(Edge::reversed).collect();
+        for edges in [&edges[..], &backwards] {
+            let region = Region::from_edges(edges, at(1.0, 0.5), at(3.3, 1.0)).unwrap();
+            assert_eq!((region.curve(), region.curved().unwrap().edges().len()), (Curve::Edges, 4));
+            assert!(region.contains(region.toward().point));
+            let bytes = written(Kind::Riemann, |to| region.store(to));
+            assert!(read(Kind::Riemann, &bytes, Region::restore).unwrap() == region);
+        }
+        let outside = Region::from_edges(&edges, at(1.0, 1.9), at(0.0, 0.0)).unwrap_err();
+        assert_eq!(outside, Error::CenterOutside { center: at(1.0, 1.9) });
+        assert_eq!(Region::new(&TRIANGLE, Curve::Edges, TRIANGLE[0], TRIANGLE[0]).unwrap_err().code(), "wrong-region");
     }
 }

@@ -59,6 +59,11 @@ impl Solved {
         options: &SolveOptions,
         progress: Progress,
     ) -> Result<Self> {
+        if domain.contours().iter().any(|contour| contour.curved().is_some()) {
+            let found = "edges that are curves".to_string();
+            let (what, needed) = ("A map of a region with holes, or of the outside", "polygons or smooth curves");
+            return Err(Error::WrongRegion { what, needed, found });
+        }
         let (origin, local) = domain.local();
         let curves: Option<Vec<Arc<SmoothCurve>>> =
             local.contours().iter().map(|contour| contour.smooth().cloned()).collect();
