@@ -21,6 +21,15 @@ const APART: f64 = 0.6;
 /// Undoing flips changes triangles, which may need more nodes in turn; so often at most.
 const MOST_TURNS: usize = 4;
 
+/// Triangles have straight sides, or lie along one smooth curve.
+fn needs_no_edges(map: &RiemannMap) -> Result<()> {
+    if map.region().curved().is_none() {
+        return Ok(());
+    }
+    let (what, needed) = ("A joint triangulation", "a polygon or one smooth curve");
+    Err(Error::WrongRegion { what, needed, found: "edges that are curves".to_string() })
+}
+
 impl JointTriangulation {
     /// Region → disk: the nodes of the region and their images under its Riemann map.
     ///
@@ -49,6 +58,7 @@ impl JointTriangulation {
     /// Those of the call without `progress`, and [`Error::Cancelled`].
     pub fn region_to_disk_with(map: &RiemannMap, options: &MeshOptions, progress: Progress) -> Result<Self> {
         options.check()?;
+        needs_no_edges(map)?;
         map.prepare(progress)?;
         between(&OntoDisk(map), options, progress)
     }
@@ -73,6 +83,8 @@ impl JointTriangulation {
         progress: Progress,
     ) -> Result<Self> {
         options.check()?;
+        needs_no_edges(from)?;
+        needs_no_edges(to)?;
         from.prepare(progress)?;
         to.prepare(progress)?;
         let exact = RegionMap::between(from, to);

@@ -188,12 +188,40 @@ impl Edge {
             Self::Arc(arc) => {
                 let half = (t - s) * (0.5 * arc.sweep);
                 // sin x/x.
-                let sinc = if half.norm_sqr() < 1e-16 { 1.0 - half * half / 6.0 } else { half.sin() / half };
+                let sinc = if half.norm_sqr() < 1e-12 { 1.0 - half * half / 6.0 } else { half.sin() / half };
                 arc.turned(arc.angle(0.5 * (s + t))) * sinc * arc.sweep
             }
             Self::Quadratic(_) | Self::Cubic(_) => {
                 let [c1, c2, c3] = self.powers();
                 c1 + c2 * (s + t) + c3 * (s * s + s * t + t * t)
+            }
+        }
+    }
+
+    /// The derivative of [`Edge::chord`] by t.
+    #[must_use]
+    pub fn chord_slope(&self, s: Complex64, t: Complex64) -> Complex64 {
+        match self {
+            Self::Line { .. } => Complex64::ZERO,
+            Self::Arc(arc) => {
+                let half = (t - s) * (0.5 * arc.sweep);
+                let (sinc, slope) = if half.norm_sqr() < 1e-4 {
+                    let square = half * half;
+                    (
+                        1.0 - square / 6.0 * (1.0 - square / 20.0),
+                        -half / 3.0 * (1.0 - square / 10.0 * (1.0 - square / 28.0)),
+                    )
+                } else {
+                    let sinc = half.sin() / half;
+                    (sinc, (half.cos() - sinc) / half)
+                };
+                let phi = arc.angle(0.5 * (s + t));
+                let turned = -(arc.cosine * phi.cos() + arc.sine * phi.sin());
+                (turned * sinc + arc.turned(phi) * slope) * (0.5 * arc.sweep * arc.sweep)
+            }
+            Self::Quadratic(_) | Self::Cubic(_) => {
+                let [_, c2, c3] = self.powers();
+                c2 + c3 * (s + 2.0 * t)
             }
         }
     }
@@ -458,7 +486,7 @@ mod tests {
     #[test]
     fn derivatives_are_those_of_the_points() {
         for edge in edges() {
-            for t in [at(0.1, 0.0), at(0.45, 0.2), at(0.9, -0.1)] {
+            for t in [at(0.1, 0.0), at(0.31, 0.1), at(0.45, 0.2), at(0.9, -0.1)] {
                 let h = 1e-5;
                 let slope = (edge.from_start(t + h) - edge.from_start(t - h)) / (2.0 * h);
                 assert!((edge.tangent(t) - slope).norm() < 1e-8 * (1.0 + slope.norm()), "{edge:?} {t}");
@@ -466,6 +494,9 @@ mod tests {
                 assert!((edge.bend(t) - bend).norm() < 1e-8 * (1.0 + bend.norm()), "{edge:?} {t}");
                 let chord = (edge.from_start(t) - edge.from_start(at(0.3, 0.1))) / (t - at(0.3, 0.1));
                 assert!((edge.chord(at(0.3, 0.1), t) - chord).norm() < 1e-13, "{edge:?} {t}");
+                let by_t = edge.chord(at(0.3, 0.1), t + h) - edge.chord(at(0.3, 0.1), t - h);
+                let slope = edge.chord_slope(at(0.3, 0.1), t);
+                assert!((slope - by_t / (2.0 * h)).norm() < 1e-8 * (1.0 + slope.norm()), "{edge:?} {t}");
                 assert!((edge.chord(t, t) - edge.tangent(t)).norm() < 1e-14);
             }
         }

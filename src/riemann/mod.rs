@@ -5,6 +5,7 @@
 
 mod atlas;
 mod both_ways;
+mod curved;
 mod doubt;
 mod evidence;
 mod holes;

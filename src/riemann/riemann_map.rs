@@ -1,16 +1,17 @@
 //! The Riemann map of a region, by Symm's method.
 
 use super::atlas::{Compass, DiskPoint, Position};
+use super::curved::SolvedEdges;
 use super::polygon::SolvedPolygon;
 use super::rounding::onto_disk;
 use super::smooth::SolvedCurve;
 use super::solved_region::SolvedRegion;
+use crate::Result;
 use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap};
 use crate::plane::{BoundaryPoint, Complex64, Curve, NOWHERE, Region};
 use crate::stored::{Kind, Reader, Writer, read, written};
 use crate::symm::correspondence::angle_of_measure;
 use crate::symm::options::{Progress, SolveOptions, Stop};
-use crate::{Error, Result};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -46,12 +47,12 @@ impl RiemannMap {
     /// [`Error::InvalidOption`](crate::Error::InvalidOption), [`Error::Cancelled`](crate::Error::Cancelled), and
     /// [`Error::NegativeMass`](crate::Error::NegativeMass) if no trustworthy map was found.
     pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Result<Self> {
-        if region.curved().is_some() {
-            return Err(curved("A Riemann map"));
-        }
-        let solved: Arc<dyn SolvedRegion> = match SolvedCurve::solve(region, options, progress)? {
-            Some(curve) => Arc::new(curve),
-            None => Arc::new(SolvedPolygon::solve(region, options, progress)?),
+        let solved: Arc<dyn SolvedRegion> = if let Some(edges) = SolvedEdges::solve(region, options, progress)? {
+            Arc::new(edges)
+        } else if let Some(curve) = SolvedCurve::solve(region, options, progress)? {
+            Arc::new(curve)
+        } else {
+            Arc::new(SolvedPolygon::solve(region, options, progress)?)
         };
         Ok(Self::new(region.clone(), options, solved))
     }
@@ -115,7 +116,7 @@ impl RiemannMap {
         let solved: Arc<dyn SolvedRegion> = match region.curve() {
             Curve::Smooth => Arc::new(SolvedCurve::restore(&region, from)?),
             Curve::Polygon => Arc::new(SolvedPolygon::restore(&region, &options, from)?),
-            Curve::Edges => return Err(curved("A Riemann map")),
+            Curve::Edges => Arc::new(SolvedEdges::restore(&region, from)?),
         };
         Ok(Self::new(region, &options, solved))
     }
@@ -318,9 +319,4 @@ impl InvertibleMap for RiemannMap {
     fn inverse_jets(&self, points: &[Complex64], jets: &mut [Jet]) {
         self.solved.inverse_jets(points, self.turn(), jets);
     }
-}
-
-/// A map that cannot be had of a region with curved edges.
-fn curved(what: &'static str) -> Error {
-    Error::WrongRegion { what, needed: "a polygon or one smooth curve", found: "edges that are curves".to_string() }
 }

@@ -24,6 +24,10 @@
 //!
 //! [`smooth`] does all this, more simply, for smooth curves, on a [`smooth_system`].
 //!
+//! [`curved_solve`] does it for boundaries of analytic edges: the parameter of an edge takes the place of arc length
+//! ([`curved_boundary`]), and the panels' rules that of its logarithm ([`curved_kernel`]); [`curved_system`] is dense, and
+//! [`curved_solution`] the answer.
+//!
 //! [`stored`] keeps solutions as bytes.
 //!
 //! [`field`] and [`smooth_field`] are what a [`problem`] of a region with holes gives: one analytic function, known everywhere.
@@ -31,6 +35,12 @@
 pub(crate) mod center;
 mod clusters;
 pub(crate) mod correspondence;
+mod curved_boundary;
+mod curved_kernel;
+pub(crate) mod curved_solution;
+pub(crate) mod curved_solve;
+mod curved_stored;
+mod curved_system;
 mod discretisation;
 pub(crate) mod far_center;
 mod fast_log;

@@ -31,17 +31,17 @@ pub struct PanelRule {
 
 /// One contribution to the potential at a target: a block of the rule, and the interval it stands for.
 #[derive(Clone, Copy, Debug)]
-struct Part {
-    block: usize,
-    center: f64,
-    half: f64,
+pub(super) struct Part {
+    pub block: usize,
+    pub center: f64,
+    pub half: f64,
     /// What the rows of the block are.
-    rows: Rows,
+    pub rows: Rows,
 }
 
 /// What the rows of a block are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Rows {
+pub(super) enum Rows {
     /// Masses on the nodes of `Order::piece`.
     Nodes,
     /// Masses on the nodes of `Order::far`.
@@ -51,7 +51,7 @@ enum Rows {
 }
 
 impl Rows {
-    fn nodes(self, order: &Order) -> &[f64] {
+    pub fn nodes(self, order: &Order) -> &[f64] {
         if self == Self::FarNodes { &order.far.nodes } else { &order.piece.nodes }
     }
 }
@@ -84,6 +84,48 @@ impl PanelRule {
         &self.blocks[index * self.m * self.p..][..self.m * self.p]
     }
 
+    /// The whole panel as seen from far, and from not so far.
+    pub(super) fn whole(&self, far: bool) -> Part {
+        let (block, rows) = if far { (self.far_block(), Rows::FarNodes) } else { (Self::union_block(0), Rows::Nodes) };
+        Part { block, center: 0.5, half: 0.5, rows }
+    }
+
+    /// The part whose nodes carry the density that `part` has as Legendre coefficients.
+    pub(super) fn on_nodes(&self, part: Part) -> Part {
+        // Pieces stand as many blocks before their coefficients as there are levels.
+        let block = if self.levels == 0 { 0 } else { part.block - self.levels };
+        Part { block, rows: Rows::Nodes, ..part }
+    }
+
+    /// How many blocks it has.
+    pub(super) fn block_count(&self) -> usize {
+        self.far_block() + 1
+    }
+
+    /// All parts that are masses on nodes.
+    pub(super) fn node_parts(&self) -> impl Iterator<Item = Part> + '_ {
+        let rows = Rows::Nodes;
+        let union = move |l: usize| {
+            let half = 0.5 * (-(l as f64)).exp2();
+            Part { block: Self::union_block(l), center: half, half, rows }
+        };
+        let piece = move |l: usize| {
+            let quarter = 0.25 * (-(l as f64)).exp2();
+            Part { block: self.piece_block(l), center: 3.0 * quarter, half: quarter, rows }
+        };
+        (0..=self.levels).map(union).chain((0..self.levels).map(piece)).chain([self.whole(true)])
+    }
+
+    /// What unit masses at the panel's nodes become on the rows of `part`, row by row.
+    pub(super) fn rows_of(&self, part: Part) -> impl Iterator<Item = &[f64]> {
+        self.blocks[part.block * self.m * self.p..].chunks_exact(self.p).take(self.row_count(part.rows))
+    }
+
+    /// Of [`PanelRule::charges`], those on the rows of `part`.
+    pub(super) fn charges_of<'a>(&self, part: Part, charges: &'a [f64]) -> &'a [f64] {
+        &charges[part.block * self.m..][..self.row_count(part.rows)]
+    }
+
     fn union_block(l: usize) -> usize {
         l
     }
@@ -101,7 +143,7 @@ impl PanelRule {
     }
 
     /// How many rows of a block count.
-    fn row_count(&self, rows: Rows) -> usize {
+    pub(super) fn row_count(&self, rows: Rows) -> usize {
         match rows {
             Rows::Nodes => self.m,
             Rows::FarNodes => self.m / 2,
@@ -111,7 +153,7 @@ impl PanelRule {
     }
 
     /// Calls `visit` for the parts that make up the panel as seen from `target` (scaled so that the panel is [0, 1]).
-    fn for_each_part(&self, order: &Order, target: Complex64, mut visit: impl FnMut(Part)) {
+    pub(super) fn for_each_part(&self, order: &Order, target: Complex64, mut visit: impl FnMut(Part)) {
         let whole = Part { block: self.far_block(), center: 0.5, half: 0.5, rows: Rows::FarNodes };
         if outside_ellipse(2.0 * target - 1.0, order.far_ellipse) {
             return visit(whole);
@@ -248,7 +290,7 @@ impl PanelRule {
 }
 
 /// Writes ∫ Pₖ(t) log(half·(ζ − t)) dt + scale for the interval of `part` as seen from `target`.
-fn exact_logs<T: std::ops::AddAssign<f64>>(
+pub(super) fn exact_logs<T: std::ops::AddAssign<f64>>(
     target: Complex64,
     part: Part,
     log_scale: f64,

@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// Edges are covered by their panels up to this share of their length.
 const COVERED: f64 = 1e-9;
 /// Digits of quadrature that an order can have.
-const DIGITS: std::ops::RangeInclusive<f64> = 1.0..=16.0;
+pub(super) const DIGITS: std::ops::RangeInclusive<f64> = 1.0..=16.0;
 /// Every reason why a solve can have ended, by its number.
 const STOPS: [Stop; 5] = [Stop::Tolerance, Stop::MaxUnknowns, Stop::SamePanels, Stop::TooFewPoints, Stop::Stagnation];
 
@@ -35,7 +35,7 @@ const MISSES: f64 = 3.0;
 /// and by rounding.
 const ROUNDING: f64 = 1e-11;
 
-fn damaged(reason: &'static str) -> Error {
+pub(super) fn damaged(reason: &'static str) -> Error {
     Error::Damaged { reason }
 }
 
@@ -59,17 +59,17 @@ impl SolveOptions {
     }
 }
 
-fn store_stop(stop: Stop, to: &mut Writer) {
+pub(super) fn store_stop(stop: Stop, to: &mut Writer) {
     to.case(STOPS.iter().position(|known| *known == stop).unwrap_or_default() as u8);
 }
 
-fn restore_stop(from: &mut Reader) -> Result<Stop> {
+pub(super) fn restore_stop(from: &mut Reader) -> Result<Stop> {
     let number = from.case()?;
     STOPS.get(usize::from(number)).copied().ok_or(damaged("it ended for no known reason"))
 }
 
 /// A residual or an estimate.
-fn restore_error(from: &mut Reader) -> Result<f64> {
+pub(super) fn restore_error(from: &mut Reader) -> Result<f64> {
     let error = from.number()?;
     if error >= 0.0 { Ok(error) } else { Err(damaged("an estimate in it is negative")) }
 }

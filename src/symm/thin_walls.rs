@@ -34,6 +34,25 @@ impl ThinWalls {
         Self { signed_slenderness: panels.iter().map(slenderness).collect() }
     }
 
+    /// From the edge and length of each panel, and the edge behind it with its distance, if there is one within
+    /// [`ThinWalls::reach`].
+    #[must_use]
+    pub fn of(panels: impl Iterator<Item = (usize, f64, Option<(usize, f64)>)>) -> Self {
+        let slenderness = |(own, length, behind): (usize, f64, Option<(usize, f64)>)| match behind {
+            Some((edge, width)) if length <= MOST_SLENDER * width => {
+                length / width * if edge >= own { 1.0 } else { -1.0 }
+            }
+            _ => 0.0,
+        };
+        Self { signed_slenderness: panels.map(slenderness).collect() }
+    }
+
+    /// Walls wider than this do a panel of the given length no harm.
+    #[must_use]
+    pub fn reach(length: f64) -> Option<f64> {
+        Some(length / SLENDER).filter(|reach| reach.is_finite())
+    }
+
     /// Looks nowhere: for measures whose residuals are not asked for.
     #[must_use]
     pub fn unseen() -> Self {

@@ -1,6 +1,7 @@
 //! Symm's map of a region: right, robust, and honest about its error.
 
 mod convergence;
+mod curved;
 mod estimate;
 mod exact;
 mod robust;

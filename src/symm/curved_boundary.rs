@@ -1,0 +1,266 @@
+//! A boundary of analytic edges cut into panels: each runs from a corner over the parameter of its edge.
+
+use super::panel::Panel;
+use crate::plane::{Complex64, CurvedOutline, Edge, Polygon};
+
+/// Half an edge, seen from the corner where it starts.
+#[derive(Clone, Copy, Debug)]
+pub struct Arm {
+    /// The edge's curve, run from the corner: parameter 0 there, 0.5 at the end of the arm.
+    pub curve: Edge,
+    /// The vertex.
+    pub corner: usize,
+    /// The edge.
+    pub edge: usize,
+    /// Whether the boundary runs away from the corner here.
+    pub outgoing: bool,
+    /// The exponent of the corner variable.
+    pub exponent: f64,
+}
+
+/// The scaled boundary. Arm 2k is the first half of edge k, arm 2k + 1 the second.
+#[derive(Clone, Debug)]
+pub struct CurvedBoundary {
+    /// Where edges start, × `unit`.
+    pub vertices: Vec<Complex64>,
+    /// Two for each edge.
+    pub arms: Vec<Arm>,
+    alpha: Vec<f64>,
+    /// Power of two: plane units × `unit` = units used here.
+    pub unit: f64,
+    /// Whether the outline is one closed edge, whose halves are two here: no arm ends where it starts.
+    halves: bool,
+    /// Chords of the boundary, to see what is behind a panel; none if they cross.
+    chords: Option<Polygon>,
+}
+
+/// A boundary point, held as a parameter of an arm and an offset from the arm's corner.
+#[derive(Clone, Copy, Debug)]
+pub struct CurvedTarget {
+    /// The arm.
+    pub arm: usize,
+    /// Parameter from the corner.
+    pub s: f64,
+    /// The point minus the corner.
+    pub offset: Complex64,
+}
+
+/// The first panel at a corner takes this share of its edge.
+const FIRST: f64 = 0.25;
+/// |z''/z'| times half a panel's parameter range is at most this: its curve is nearly straight, and no other point of the edge's
+/// continuation meets a target near it.
+pub const TAME: f64 = 0.25;
+/// Neighbours are at most so many times as long.
+const BALANCE: f64 = 2.5;
+/// Chords of an edge.
+const CHORDS: usize = 16;
+/// Singular powers of the corner variable that are not whole are at least this.
+const SMOOTH_POWER: f64 = 7.0;
+
+impl CurvedBoundary {
+    /// Scales an outline to size about 1.
+    #[must_use]
+    pub fn new(outline: &CurvedOutline) -> Self {
+        let unit = (-outline.size().log2().round()).exp2();
+        let mut edges: Vec<Edge> = outline.edges().iter().map(|edge| edge.scaled(unit.into())).collect();
+        let mut alpha: Vec<f64> = (0..edges.len()).map(|corner| outline.alpha(corner)).collect();
+        let halves = edges.len() == 1;
+        if halves {
+            edges = edges[0].split(0.5).to_vec();
+            alpha.push(1.0);
+        }
+        let n = edges.len();
+        let vertices: Vec<Complex64> = edges.iter().map(Edge::from).collect();
+        let mut arms = Vec::with_capacity(2 * n);
+        let is_straight = |k: usize| matches!(edges[k], Edge::Line { .. });
+        for (k, edge) in edges.iter().enumerate() {
+            for (corner, outgoing) in [(k, true), ((k + 1) % n, false)] {
+                let straight = is_straight(corner) && is_straight((corner + n - 1) % n);
+                let exponent = exponent(alpha[corner], straight);
+                let curve = if outgoing { *edge } else { edge.reversed() };
+                arms.push(Arm { curve, corner, edge: k, outgoing, exponent });
+            }
+        }
+        let chord = |edge: &Edge| {
+            let edge = *edge;
+            (0..CHORDS).map(move |j| edge.point(j as f64 / CHORDS as f64))
+        };
+        let chords = Polygon::new(&edges.iter().flat_map(chord).collect::<Vec<_>>()).ok();
+        Self { vertices, arms, alpha, unit, chords, halves }
+    }
+
+    /// Edge and parameter of the outline → of the edges here.
+    #[must_use]
+    pub fn inner(&self, edge: usize, t: f64) -> (usize, f64) {
+        match (self.halves, t < 0.5) {
+            (false, _) => (edge, t),
+            (true, true) => (0, 2.0 * t),
+            (true, false) => (1, 2.0 * t - 1.0),
+        }
+    }
+
+    /// The inverse of [`CurvedBoundary::inner`].
+    #[must_use]
+    pub fn outer(&self, edge: usize, t: f64) -> (usize, f64) {
+        if self.halves { (0, 0.5 * (t + edge as f64)) } else { (edge, t) }
+    }
+
+    /// Number of edges of the outline.
+    #[must_use]
+    pub fn outline_edges(&self) -> usize {
+        if self.halves { 1 } else { self.len() }
+    }
+
+    /// Number of edges.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// Interior angle at a vertex, divided by π.
+    #[must_use]
+    pub fn alpha(&self, corner: usize) -> f64 {
+        self.alpha[corner]
+    }
+
+    /// The arm that a panel lies on.
+    #[must_use]
+    pub fn arm(&self, panel: &Panel) -> &Arm {
+        &self.arms[Self::arm_of(panel)]
+    }
+
+    /// Its index.
+    #[must_use]
+    pub fn arm_of(panel: &Panel) -> usize {
+        2 * panel.edge + usize::from(!panel.outgoing)
+    }
+
+    /// The point of a panel at parameter s of its arm.
+    #[must_use]
+    pub fn target(&self, panel: &Panel, s: f64) -> CurvedTarget {
+        let arm = Self::arm_of(panel);
+        CurvedTarget { arm, s, offset: self.arms[arm].curve.from_start(s.into()) }
+    }
+
+    /// The target, given as a parameter of `panel`'s arm if it lies on the same edge, and as a step from the arm's corner.
+    #[must_use]
+    pub fn seen_from(&self, panel: &Panel, target: &CurvedTarget) -> (Option<f64>, Complex64) {
+        let (from, own) = (&self.arms[target.arm], self.arm(panel));
+        if target.arm == Self::arm_of(panel) {
+            return (Some(target.s), target.offset);
+        }
+        if from.edge == own.edge {
+            return (Some(1.0 - target.s), own.curve.from_start((1.0 - target.s).into()));
+        }
+        let apart = self.vertices[from.corner] - self.vertices[own.corner];
+        (None, apart + target.offset)
+    }
+
+    /// Length of a panel, by its chord.
+    #[must_use]
+    pub fn length(&self, panel: &Panel) -> f64 {
+        let curve = &self.arm(panel).curve;
+        (curve.chord(panel.start.into(), panel.end.into()) * panel.length()).norm()
+    }
+
+    /// Largest |z''/z'| on a panel times half its parameter range: how far it is from straight.
+    #[must_use]
+    pub fn bend(&self, panel: &Panel) -> f64 {
+        let curve = &self.arm(panel).curve;
+        let at = |share: f64| {
+            let s = Complex64::from(panel.start + share * panel.length());
+            curve.bend(s).norm() / curve.tangent(s).norm()
+        };
+        0.5 * panel.length() * [0.0, 0.25, 0.5, 0.75, 1.0].map(at).into_iter().fold(0.0, f64::max)
+    }
+
+    /// Distance of a point (scaled units) from a panel, by samples.
+    fn distance(&self, panel: &Panel, z: Complex64) -> f64 {
+        let arm = self.arm(panel);
+        let at = |share: f64| {
+            let s = panel.start + share * panel.length();
+            (z - self.vertices[arm.corner] - arm.curve.from_start(s.into())).norm()
+        };
+        [0.0, 0.25, 0.5, 0.75, 1.0].map(at).into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Distance from the middle of a panel to the boundary behind it, outside the region, if that is at most `reach`.
+    #[must_use]
+    pub fn behind(&self, panel: &Panel, reach: f64) -> Option<(usize, f64)> {
+        let arm = self.arm(panel);
+        let s = Complex64::from(0.5 * (panel.start + panel.end));
+        let middle = self.vertices[arm.corner] + arm.curve.from_start(s);
+        let tangent = arm.curve.tangent(s);
+        let along = if panel.outgoing { tangent } else { -tangent } / tangent.norm();
+        let (chord, distance) = self.chords.as_ref()?.facing(middle, -Complex64::i() * along, reach)?;
+        let edge = chord / CHORDS;
+        (edge != panel.edge).then_some((edge, distance))
+    }
+
+    /// The piece of an arm between two parameters.
+    #[must_use]
+    pub fn panel(&self, arm: &Arm, start: f64, end: f64) -> Panel {
+        let exponent = if start == 0.0 { arm.exponent } else { 1.0 };
+        // The rules ask for no direction.
+        let direction = Complex64::ONE;
+        Panel { edge: arm.edge, corner: arm.corner, direction, outgoing: arm.outgoing, start, end, exponent }
+    }
+
+    /// The first panels in boundary order: tame, balanced, and no longer than their distance from the center.
+    #[must_use]
+    pub fn initial_panels(&self, center: Complex64) -> Vec<Panel> {
+        let mut panels = Vec::new();
+        for arm in &self.arms {
+            let (first, second) = (self.panel(arm, 0.0, FIRST), self.panel(arm, FIRST, 0.5));
+            panels.extend(if arm.outgoing { [first, second] } else { [second, first] });
+        }
+        let wild = |panel: &Panel| self.bend(panel) > TAME || self.length(panel) > self.distance(panel, center);
+        self.balanced(split_where(panels, &wild))
+    }
+
+    /// Halves panels until none is much longer than its neighbour.
+    #[must_use]
+    pub fn balanced(&self, mut panels: Vec<Panel>) -> Vec<Panel> {
+        loop {
+            let n = panels.len();
+            let lengths: Vec<f64> = panels.iter().map(|panel| self.length(panel)).collect();
+            let long = |q: usize| lengths[q] > BALANCE * lengths[(q + 1) % n].min(lengths[(q + n - 1) % n]);
+            let marked: Vec<bool> = (0..n).map(|q| long(q) && panels[q].can_be_halved()).collect();
+            if !marked.contains(&true) {
+                return panels;
+            }
+            let halves = |(panel, split): (&Panel, &bool)| {
+                if *split { panel.halves().to_vec() } else { vec![*panel] }
+            };
+            panels = panels.iter().zip(&marked).flat_map(halves).collect();
+        }
+    }
+}
+
+/// Halves panels, and their halves, as far as `wild` says so and they can be halved; in the same order.
+fn split_where(panels: Vec<Panel>, wild: &dyn Fn(&Panel) -> bool) -> Vec<Panel> {
+    let mut done = Vec::with_capacity(panels.len());
+    let mut open: Vec<Panel> = panels.into_iter().rev().collect();
+    while let Some(panel) = open.pop() {
+        if panel.can_be_halved() && wild(&panel) {
+            let [first, second] = panel.halves();
+            open.extend([second, first]);
+        } else {
+            done.push(panel);
+        }
+    }
+    done
+}
+
+/// The exponent a of the corner variable s = τ^a at an interior angle απ.
+///
+/// Between straight edges θ is analytic in s^(1/α). Between curved ones it has the powers k/α + l as well, and logarithms where
+/// these meet (R. S. Lehman, Pacific J. Math. 7, 1957): a = nα makes the first kind whole, and n so large that the others
+/// start at τ^n(1+α), which polynomials follow closely.
+fn exponent(alpha: f64, straight: bool) -> f64 {
+    if straight {
+        let a = if alpha > 1.0 { alpha } else { alpha * (1.0 / alpha + 1e-9).floor() };
+        return if (a - 1.0).abs() < 1e-9 { 1.0 } else { a };
+    }
+    alpha * (SMOOTH_POWER / (1.0 + alpha)).ceil()
+}

@@ -1,0 +1,523 @@
+//! A solved boundary of analytic edges: θ along it, and the map region → disk inside.
+
+use super::curved_kernel::CurvedPanel;
+use super::curved_system::CurvedDiscretisation;
+use super::legendre::{MAX_NODES, legendre};
+use super::log_moments::bernstein;
+use super::options::Stop;
+use super::panel::Panel;
+use crate::plane::Complex64;
+use crate::{Error, Result};
+use std::f64::consts::TAU;
+
+/// A solved equation, with its evidence.
+#[derive(Clone, Debug)]
+pub struct CurvedSolution {
+    discretisation: CurvedDiscretisation,
+    /// In scaled units.
+    center: Complex64,
+    /// Mass at each node, as solved.
+    pub masses: Vec<f64>,
+    /// What quadratures need of them, panel by panel.
+    charges: Vec<Vec<f64>>,
+    /// Legendre coefficients of dμ/dτ on [0, 1], p a panel.
+    coefficients: Vec<f64>,
+    /// Measure from vertex 0 to where each panel begins, and the whole.
+    starts: Vec<f64>,
+    /// The nodes' points, their images on the circle, and their masses.
+    circle: Vec<(Complex64, Complex64, f64)>,
+    smallest_mass: (f64, usize),
+    /// Largest violation of the equation where it was not imposed.
+    pub residual: f64,
+    /// Estimate of the largest error of the map.
+    pub error_estimate: f64,
+    /// Why the solve ended.
+    pub stop: Stop,
+}
+
+/// A point beside a panel, or on it.
+#[derive(Clone, Copy, Debug)]
+struct Beside {
+    q: usize,
+    /// Complex parameter of the arm.
+    s: Complex64,
+    tau: Complex64,
+    /// Distance from the nearest point of the panel.
+    distance: f64,
+    /// Whether it lies on the side of the panel where the region is not.
+    outside: bool,
+    /// Whether the nearest point is an end of the panel.
+    at_end: bool,
+}
+
+/// Maps with estimates above this are none.
+const WORST_ESTIMATE: f64 = 1.0;
+/// A panel's density goes on so far beyond it: Bernstein's ρ.
+const CONTINUED: f64 = 1.1;
+/// The same for the way back.
+const CONTINUED_BACK: f64 = 1.08;
+/// As far beside a corner, in parameters, its derivative is told.
+const BESIDE: f64 = 1e-14;
+/// Points as near to the curve as this are on it, in units of the region's size.
+const THICKNESS: f64 = 4e-15;
+
+impl CurvedSolution {
+    /// From node masses.
+    #[must_use]
+    pub fn new(
+        discretisation: CurvedDiscretisation,
+        center: Complex64,
+        masses: Vec<f64>,
+        residual: f64,
+        error_estimate: f64,
+        stop: Stop,
+    ) -> Self {
+        let total: f64 = masses.iter().sum();
+        let p = discretisation.order.p();
+        let gauss = &discretisation.order.panel;
+        let (mut coefficients, mut starts, mut charges) = (Vec::with_capacity(masses.len()), vec![0.0], Vec::new());
+        let mut smallest_mass = (f64::INFINITY, 0);
+        for (q, own) in masses.chunks_exact(p).enumerate() {
+            let own: Vec<f64> = own.iter().map(|mass| mass / total).collect();
+            let density: Vec<f64> = own.iter().zip(&gauss.weights).map(|(mass, w)| 2.0 * mass / w).collect();
+            for k in 0..p {
+                coefficients.push(gauss.coefficient_row(k).iter().zip(&density).map(|(t, g)| t * g).sum());
+            }
+            let mass: f64 = own.iter().sum();
+            if mass < smallest_mass.0 || mass.is_nan() {
+                smallest_mass = (mass, q);
+            }
+            starts.push(starts[q] + mass.max(0.0));
+            charges.push(discretisation.rules[q].charges(&own));
+        }
+        let mut solution = Self {
+            discretisation,
+            center,
+            masses,
+            charges,
+            coefficients,
+            starts,
+            circle: Vec::new(),
+            smallest_mass,
+            residual,
+            error_estimate,
+            stop,
+        };
+        solution.circle = solution.nodes_on_circle(total);
+        solution
+    }
+
+    fn nodes_on_circle(&self, total: f64) -> Vec<(Complex64, Complex64, f64)> {
+        let taus = self.discretisation.node_taus();
+        let boundary = &self.discretisation.boundary;
+        let targets = self.discretisation.targets(&taus);
+        let places = targets.iter().zip(&self.masses).enumerate().map(|(i, (target, mass))| {
+            let z = boundary.vertices[boundary.arms[target.arm].corner] + target.offset;
+            let measure = self.complex_measure(i / taus.len(), taus[i % taus.len()].into()).re;
+            (z, Complex64::cis(TAU * measure), mass / total)
+        });
+        places.collect()
+    }
+
+    /// The solution, unless its masses show that it is none.
+    ///
+    /// # Errors
+    /// [`Error::NegativeMass`], [`Error::Inaccurate`].
+    pub fn checked(self) -> Result<Self> {
+        let (mass, q) = self.smallest_mass;
+        if mass < -self.error_estimate || !(mass + self.residual).is_finite() {
+            let edge = self.panel(q).edge;
+            return Err(Error::NegativeMass { mass, estimate: self.error_estimate, edge });
+        }
+        if self.error_estimate.is_nan() || self.error_estimate > WORST_ESTIMATE {
+            return Err(Error::Inaccurate { estimate: self.error_estimate });
+        }
+        Ok(self)
+    }
+
+    /// The panels it lives on.
+    #[must_use]
+    pub fn discretisation(&self) -> &CurvedDiscretisation {
+        &self.discretisation
+    }
+
+    /// Whether the measure attracts points around the region as all of it at the center would, which is false for another region
+    /// or another center.
+    #[must_use]
+    pub fn is_seen_from_center(&self) -> bool {
+        const AROUND: u32 = 16;
+        let vertices = &self.discretisation.boundary.vertices;
+        let radius = 4.0 + 2.0 * vertices.iter().map(|v| (v - self.center).norm()).fold(0.0, f64::max);
+        let misses = |k: u32| {
+            let z = self.center + Complex64::from_polar(radius, TAU * f64::from(k) / f64::from(AROUND));
+            (self.potential(z).0.re - radius.ln()).abs()
+        };
+        (0..AROUND).all(|k| misses(k) <= 10.0 * self.error_estimate + 1e-12)
+    }
+
+    /// Plane units × unit = scaled units.
+    #[must_use]
+    pub fn unit(&self) -> f64 {
+        self.discretisation.boundary.unit
+    }
+
+    fn panel(&self, q: usize) -> &Panel {
+        &self.discretisation.panels[q].panel
+    }
+
+    /// |f'(center)|⁻¹ in plane units.
+    #[must_use]
+    pub fn conformal_radius(&self) -> f64 {
+        self.potential(self.center).0.re.exp() / self.unit()
+    }
+
+    /// Measure from vertex 0 to each vertex.
+    #[must_use]
+    pub fn vertex_measures(&self) -> Vec<f64> {
+        (0..self.discretisation.boundary.outline_edges())
+            .map(|edge| self.starts[self.panels_of(edge, true).start])
+            .collect()
+    }
+
+    /// The panels of half an edge.
+    fn panels_of(&self, edge: usize, outgoing: bool) -> std::ops::Range<usize> {
+        let key = |curved: &CurvedPanel| (curved.panel.edge, !curved.panel.outgoing);
+        let panels = &self.discretisation.panels;
+        let first = panels.partition_point(|panel| key(panel) < (edge, !outgoing));
+        first..panels.partition_point(|panel| key(panel) <= (edge, !outgoing))
+    }
+
+    /// Measure from vertex 0 to a boundary point, given by its edge and parameter.
+    #[must_use]
+    pub fn measure_at(&self, edge: usize, t: f64) -> f64 {
+        let (q, s) = self.place(edge, t);
+        self.complex_measure(q, self.panel(q).tau_at(s).into()).re
+    }
+
+    /// The image of a boundary point, and f' there (scaled units).
+    #[must_use]
+    pub fn on_circle(&self, edge: usize, t: f64) -> (Complex64, Complex64) {
+        let (q, s) = self.place(edge, t);
+        let panel = self.panel(q);
+        // At a corner itself the derivative is 0, infinite or none: it is told a little beside it.
+        let beside = s.max(BESIDE);
+        let w = Complex64::cis(TAU * self.complex_measure(q, panel.tau_at(s).into()).re);
+        let slope = self.measure_slope(q, beside.into(), panel.tau_at(beside).into());
+        (w, w * Complex64::i() * TAU * slope)
+    }
+
+    /// Edge of the outline and its parameter → panel, and parameter of its arm.
+    fn place(&self, edge: usize, t: f64) -> (usize, f64) {
+        let (edge, t) = self.discretisation.boundary.inner(edge, t);
+        let outgoing = t < 0.5;
+        let s = if outgoing { t } else { 1.0 - t };
+        let panels = self.panels_of(edge, outgoing);
+        let here = panels.clone().find(|&q| (self.panel(q).start..=self.panel(q).end).contains(&s));
+        (here.unwrap_or(panels.start), s)
+    }
+
+    /// Measure from vertex 0 → the edge and the parameter where that is reached.
+    #[must_use]
+    pub fn locate(&self, measure: f64) -> (usize, f64) {
+        let (q, tau) = self.locate_on_panel(measure);
+        let panel = self.panel(q);
+        let s = panel.distance_at(tau);
+        self.discretisation.boundary.outer(panel.edge, if panel.outgoing { s } else { 1.0 - s })
+    }
+
+    /// Measure → panel and τ.
+    fn locate_on_panel(&self, measure: f64) -> (usize, f64) {
+        let measure = measure.rem_euclid(1.0);
+        let q = (self.starts.partition_point(|&start| start <= measure).max(1) - 1).min(self.starts.len() - 2);
+        (q, self.tau_of(q, measure))
+    }
+
+    /// Where a measure is reached on panel `q`, by Newton's method inside a bracket.
+    fn tau_of(&self, q: usize, measure: f64) -> f64 {
+        if self.starts[q + 1] == self.starts[q] {
+            return 0.5;
+        }
+        let outgoing = self.panel(q).outgoing;
+        let (mut low, mut high) = (0.0, 1.0);
+        let mut tau = 0.5;
+        for _ in 0..80 {
+            let miss = self.complex_measure(q, tau.into()).re - measure;
+            if (miss > 0.0) == outgoing {
+                high = tau;
+            } else {
+                low = tau;
+            }
+            let density = self.complex_density(q, tau.into()).re * if outgoing { 1.0 } else { -1.0 };
+            let newton = tau - miss / density;
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if (next - tau).abs() <= 2.0 * f64::EPSILON * tau.abs() {
+                return next;
+            }
+            tau = next;
+        }
+        tau
+    }
+
+    /// Measure from vertex 0, continued to complex τ of panel `q`: 2π times it is −i log f beside the boundary.
+    fn complex_measure(&self, q: usize, tau: Complex64) -> Complex64 {
+        let p = self.discretisation.order.p();
+        let coefficients = &self.coefficients[q * p..][..p];
+        let x = 2.0 * tau - 1.0;
+        let (mut before, mut here) = (Complex64::ONE, x);
+        let mut sum = (x + 1.0) * coefficients[0];
+        for (k, c) in coefficients.iter().enumerate().skip(1) {
+            let k = k as f64;
+            let after = (x * here * (2.0 * k + 1.0) - before * k) / (k + 1.0);
+            sum += (after - before) * (c / (2.0 * k + 1.0));
+            (before, here) = (here, after);
+        }
+        if self.panel(q).outgoing { self.starts[q] + 0.5 * sum } else { self.starts[q + 1] - 0.5 * sum }
+    }
+
+    /// dμ/dτ, continued.
+    fn complex_density(&self, q: usize, tau: Complex64) -> Complex64 {
+        let p = self.discretisation.order.p();
+        let coefficients = &self.coefficients[q * p..][..p];
+        if tau.im == 0.0 {
+            let mut values = [0.0; MAX_NODES];
+            legendre(2.0 * tau.re - 1.0, &mut values[..p]);
+            return values.iter().zip(coefficients).map(|(v, c)| v * c).sum::<f64>().into();
+        }
+        let x = 2.0 * tau - 1.0;
+        let (mut before, mut here) = (Complex64::ZERO, Complex64::ONE);
+        let mut sum = Complex64::ZERO;
+        for (k, c) in coefficients.iter().enumerate() {
+            sum += here * *c;
+            let k = k as f64;
+            (before, here) = (here, (x * here * (2.0 * k + 1.0) - before * k) / (k + 1.0));
+        }
+        sum
+    }
+
+    /// (∫ log(z − y) dμ, ∫ dμ/(z − y), turns of the boundary around z) at a point off the boundary (scaled units); the
+    /// argument is continuous along the boundary and principal at vertex 0.
+    fn potential(&self, z: Complex64) -> (Complex64, Complex64, f64) {
+        let boundary = &self.discretisation.boundary;
+        let first = (z - boundary.vertices[0]).arg();
+        let mut argument = first;
+        let (mut sum, mut slope) = (Complex64::ZERO, Complex64::ZERO);
+        for (q, panel) in self.discretisation.panels.iter().enumerate() {
+            let (own, rule) = (&panel.panel, &self.discretisation.rules[q]);
+            let step = z - boundary.vertices[own.corner];
+            let mut parts = panel.potentials(rule, &self.discretisation.order, step, &self.charges[q]);
+            if !own.outgoing {
+                parts.reverse();
+            }
+            for part in parts {
+                let [near, far] = part.arguments;
+                let (start, end) = if own.outgoing { (near, far) } else { (far, near) };
+                let turns = TAU * ((argument - start) / TAU).round();
+                sum += part.sum + Complex64::new(0.0, turns * part.mass);
+                slope += part.slope;
+                argument = end + turns;
+            }
+        }
+        (sum, slope, ((argument - first) / TAU).round())
+    }
+
+    /// Region → disk with vertex 0 ↦ 1, and the derivative, both in scaled units; `None` outside the closed region.
+    #[must_use]
+    pub fn to_disk(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        if !z.is_finite() {
+            return None;
+        }
+        if let Some(beside) = self.beside(z) {
+            if beside.outside && !beside.at_end {
+                return None;
+            }
+            if !beside.outside && bernstein(2.0 * beside.tau - 1.0) < CONTINUED {
+                return Some(self.continued(&beside));
+            }
+        }
+        let (log, slope, turns) = self.potential(z);
+        if turns != 1.0 {
+            return None;
+        }
+        let factor = (-log).exp();
+        Some(((z - self.center) * factor, factor * (1.0 - (z - self.center) * slope)))
+    }
+
+    /// f and f' by continuing the boundary correspondence from a panel.
+    fn continued(&self, beside: &Beside) -> (Complex64, Complex64) {
+        let Beside { q, s, tau, .. } = *beside;
+        let f = (Complex64::i() * TAU * self.complex_measure(q, tau)).exp();
+        (f, f * Complex64::i() * TAU * self.measure_slope(q, s, tau))
+    }
+
+    /// Derivative of the complex measure by z.
+    fn measure_slope(&self, q: usize, s: Complex64, tau: Complex64) -> Complex64 {
+        let panel = self.panel(q);
+        let by_s = if panel.exponent == 1.0 {
+            Complex64::from(1.0 / panel.length())
+        } else {
+            tau / (panel.exponent * (s - panel.start))
+        };
+        let along = self.complex_density(q, tau) * by_s * if panel.outgoing { 1.0 } else { -1.0 };
+        along / self.discretisation.boundary.arm(panel).curve.tangent(s)
+    }
+
+    /// The panel that is nearest to `z`, if its curve's parameter there is found.
+    fn beside(&self, z: Complex64) -> Option<Beside> {
+        let boundary = &self.discretisation.boundary;
+        let mut best: Option<Beside> = None;
+        for (q, curved) in self.discretisation.panels.iter().enumerate() {
+            let panel = &curved.panel;
+            let step = z - boundary.vertices[panel.corner];
+            if curved.distance_from_middle(step) > 2.0 {
+                continue;
+            }
+            let Some(s) = curved.parameter_of(step) else { continue };
+            let foot = s.re.clamp(panel.start, panel.end);
+            let at_end = foot != s.re;
+            let curve = &boundary.arm(panel).curve;
+            let distance = ((s - foot) * curve.chord(foot.into(), s)).norm();
+            let thick = distance <= THICKNESS;
+            let s = if thick { Complex64::from(foot) } else { s };
+            let outside = !thick && (s.im < 0.0) == panel.outgoing && s.im != 0.0;
+            let share = curved.share(s);
+            let tau = if panel.exponent == 1.0 { share } else { share.powf(1.0 / panel.exponent) };
+            let beside = Beside { q, s, tau, distance, outside, at_end };
+            // At a corner both arms are as near: the one that has the point on the region's side serves.
+            let better = best.is_none_or(|best| {
+                distance < best.distance * (1.0 - 1e-9)
+                    || distance <= best.distance * (1.0 + 1e-9) && best.outside && !outside
+            });
+            if better {
+                best = Some(beside);
+            }
+        }
+        best
+    }
+
+    /// Disk (vertex 0 ↦ 1) → region, and the derivative of the way there, in scaled units; `None` where it is not found.
+    #[must_use]
+    pub fn from_disk(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+        if let Some(found) = self.from_disk_beside(w) {
+            return Some(found);
+        }
+        let (guess, miss) = self.by_cauchy(w);
+        if miss < 0.1
+            && let Some(found) = self.newton(w, guess)
+        {
+            return Some(found);
+        }
+        self.marched(w)
+    }
+
+    /// Beside the circle: the complex measure is inverted.
+    fn from_disk_beside(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+        if w.norm_sqr() < 0.01 {
+            return None;
+        }
+        let measure = Complex64::new((w.arg() / TAU).rem_euclid(1.0), -w.norm().ln() / TAU);
+        let (q, foot) = self.locate_on_panel(measure.re);
+        let panel = self.panel(q);
+        let mut tau = Complex64::from(foot);
+        if panel.start == 0.0 {
+            // At a corner τ is about a power of the measure from there.
+            let corner = if panel.outgoing { self.starts[q] } else { self.starts[q + 1] };
+            let step = if panel.outgoing { measure - corner } else { corner - measure };
+            let size = step.norm();
+            if size > 0.0 && size < self.starts[q + 1] - self.starts[q] {
+                let power = panel.exponent / self.discretisation.boundary.alpha(panel.corner);
+                let real = self.tau_of(q, if panel.outgoing { corner + size } else { corner - size });
+                tau = Complex64::from_polar(real, step.arg() / power);
+            }
+        }
+        for _ in 0..20 {
+            let sign = if panel.outgoing { 1.0 } else { -1.0 };
+            let newton = (self.complex_measure(q, tau) - measure) / (self.complex_density(q, tau) * sign);
+            if !newton.is_finite() {
+                return None;
+            }
+            tau -= newton;
+            if bernstein(2.0 * tau - 1.0) > 1.3 {
+                return None;
+            }
+            if newton.norm() <= 1e-15 * tau.norm() {
+                break;
+            }
+        }
+        let miss = (self.complex_measure(q, tau) - measure).norm();
+        if bernstein(2.0 * tau - 1.0) > CONTINUED_BACK || miss.is_nan() || miss > 1e-15 {
+            return None;
+        }
+        let share = if panel.exponent == 1.0 { tau } else { tau.powf(panel.exponent) };
+        let s = panel.start + panel.length() * share;
+        let arm = self.discretisation.boundary.arm(panel);
+        let z = self.discretisation.boundary.vertices[panel.corner] + arm.curve.from_start(s);
+        Some((z, w * Complex64::i() * TAU * self.measure_slope(q, s, tau)))
+    }
+
+    /// Cauchy's formula on the circle in barycentric form, and how far it is from exact for the constant 1.
+    fn by_cauchy(&self, w: Complex64) -> (Complex64, f64) {
+        let (mut above, mut below) = (Complex64::ZERO, Complex64::ZERO);
+        for (z, on_circle, mass) in &self.circle {
+            let weight = on_circle / (on_circle - w) * mass;
+            above += z * weight;
+            below += weight;
+        }
+        (above / below, (below - 1.0).norm())
+    }
+
+    /// Newton's method for f(z) = w, steps halved where they leave the region or do not help.
+    fn newton(&self, w: Complex64, guess: Complex64) -> Option<(Complex64, Complex64)> {
+        let mut z = guess;
+        let (f, mut slope) = self.to_disk(z)?;
+        let mut miss = w - f;
+        for _ in 0..40 {
+            let step = miss / slope;
+            if !step.is_finite() {
+                return None;
+            }
+            let mut share = 1.0;
+            let moved = loop {
+                let there = z + step * share;
+                match self.to_disk(there) {
+                    Some((f, slope)) if (w - f).norm() < miss.norm() => break Some((there, w - f, slope)),
+                    _ if share > 1e-4 => share *= 0.5,
+                    _ => break None,
+                }
+            };
+            let Some((there, left, there_slope)) = moved else {
+                // No better: rounding, or lost.
+                return (miss.norm() < 1e-13).then_some((z, slope));
+            };
+            (z, miss, slope) = (there, left, there_slope);
+            if miss.norm() < 1e-16 || step.norm() * share < 1e-16 {
+                return Some((z, slope));
+            }
+        }
+        (miss.norm() < 1e-12).then_some((z, slope))
+    }
+
+    /// From the center outwards along the radius, by steps as long as Newton's method bears.
+    fn marched(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+        let (mut share, mut step) = (0.0, 0.5);
+        let mut z = self.center;
+        let (_, mut slope) = self.to_disk(z)?;
+        for _ in 0..400 {
+            let next = f64::min(1.0, share + step);
+            let guess = z + w * (next - share) / slope;
+            match self.newton(w * next, guess) {
+                Some((there, there_slope)) => {
+                    (z, slope, share) = (there, there_slope, next);
+                    if share == 1.0 {
+                        return Some((z, slope));
+                    }
+                    step *= 2.0;
+                }
+                None => step *= 0.5,
+            }
+            if step < 1e-12 {
+                return None;
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,92 @@
+//! Solutions on curved edges as bytes: panels and masses; everything else follows from the region.
+
+use super::curved_boundary::CurvedBoundary;
+use super::curved_solution::CurvedSolution;
+use super::curved_system::CurvedDiscretisation;
+use super::legendre::MAX_NODES;
+use super::order::Order;
+use super::panel::Panel;
+use super::rule::Rules;
+use super::stored::{DIGITS, damaged, restore_error, restore_stop, store_stop};
+use crate::Result;
+use crate::plane::{Complex64, CurvedOutline};
+use crate::stored::{Reader, Writer};
+use std::sync::Arc;
+
+impl CurvedSolution {
+    /// Writes what [`CurvedSolution::restore`] needs beside the region.
+    pub(crate) fn store(&self, to: &mut Writer) {
+        store_stop(self.stop, to);
+        to.number(self.residual);
+        to.number(self.error_estimate);
+        let discretisation = self.discretisation();
+        to.case(discretisation.order.p() as u8);
+        to.number(discretisation.order.digits);
+        for arm in
+            discretisation.panels.chunk_by(|a, b| CurvedBoundary::arm_of(&a.panel) == CurvedBoundary::arm_of(&b.panel))
+        {
+            to.count(arm.len());
+            arm.iter().for_each(|curved| to.number(curved.panel.end));
+        }
+        to.numbers(&self.masses);
+    }
+
+    /// Reads the solution of Symm's equation for the edges around a region.
+    ///
+    /// # Errors
+    /// [`Error::Damaged`](crate::Error::Damaged), [`Error::NegativeMass`](crate::Error::NegativeMass).
+    pub(crate) fn restore(outline: &CurvedOutline, center: Complex64, from: &mut Reader) -> Result<Self> {
+        let stop = restore_stop(from)?;
+        let (residual, error_estimate) = (restore_error(from)?, restore_error(from)?);
+        let (p, digits) = (usize::from(from.case()?), from.number()?);
+        if !(2..=MAX_NODES).contains(&p) || !DIGITS.contains(&digits) {
+            return Err(damaged("it is resolved in no possible way"));
+        }
+        let boundary = Arc::new(CurvedBoundary::new(outline));
+        let mut panels = Vec::new();
+        for arm in 0..boundary.arms.len() {
+            restore_panels(&boundary, arm, p, from, &mut panels)?;
+        }
+        let masses = from.numbers(panels.len() * p)?;
+        let center = center * boundary.unit;
+        let discretisation = CurvedDiscretisation::new(boundary, &panels, &mut Rules::new(Order::new(p, digits)));
+        let solution = Self::new(discretisation, center, masses, residual, error_estimate, stop).checked()?;
+        if solution.is_seen_from_center() {
+            Ok(solution)
+        } else {
+            Err(damaged("its measure is not that of its region"))
+        }
+    }
+}
+
+/// Reads the panels of an arm, in boundary order, from where each of them ends.
+fn restore_panels(
+    boundary: &CurvedBoundary,
+    arm: usize,
+    p: usize,
+    from: &mut Reader,
+    panels: &mut Vec<Panel>,
+) -> Result<()> {
+    let count = from.count(size_of::<f64>() * (p + 1))?;
+    let mut ends = from.numbers(count)?;
+    let arm = &boundary.arms[arm];
+    if !arm.outgoing {
+        ends.reverse();
+    }
+    let covers =
+        ends.first().is_some_and(|end| *end > 0.0) && ends.last() == Some(&0.5) && ends.is_sorted_by(|a, b| a < b);
+    if !covers {
+        return Err(damaged("its panels do not cover the boundary"));
+    }
+    let mut start = 0.0;
+    let mut own: Vec<Panel> = Vec::with_capacity(count);
+    for end in ends {
+        own.push(boundary.panel(arm, start, end));
+        start = end;
+    }
+    if !arm.outgoing {
+        own.reverse();
+    }
+    panels.extend(own);
+    Ok(())
+}
