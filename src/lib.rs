@@ -68,8 +68,8 @@ pub use formula::FormulaMap;
 pub use map::{Compose, Inverse, InvertibleMap, Jet, Moebius, PlaneMap};
 pub use mesh::{Density, JointTriangulation, MeshEvidence, MeshOptions, MeshStop, Route};
 pub use plane::{
-    ArcTo, BoundaryPoint, Complex64, Curve, CurvedOutline, Domain, Edge, EllipticArc, Frame, Polygon, Region,
-    SmoothCurve, parse_outline,
+    ArcTo, BoundaryPoint, Complex64, Curve, CurvedOutline, Domain, Edge, EllipticArc, Frame, Polygon, Region, Shape,
+    SmoothCurve, parse_outline, parse_path, parse_shape, path_data,
 };
 pub use riemann::{
     AnnulusMap, CanonicalMap, Circulation, Conductors, DiskPoint, Electrostatics, ExteriorMap, FlowLines, HalfPlaneMap,

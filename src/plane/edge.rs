@@ -72,17 +72,33 @@ impl EllipticArc {
         self.sweep
     }
 
+    /// How SVG's arc command describes it, its sweep being at most once around.
+    pub(super) fn drawn(&self) -> ArcTo {
+        // cosine·cos φ + sine·sin φ = p e^{iφ} + q e^{−iφ}.
+        let turn = Complex64::i() * self.sine;
+        let (p, q) = ((self.cosine - turn) * 0.5, (self.cosine + turn) * 0.5);
+        let radii = (p.norm() + q.norm(), (p.norm() - q.norm()).abs());
+        let rotation = if q.norm() <= 1e-15 * p.norm() { 0.0 } else { 0.5 * (p * q).arg() };
+        let counterclockwise = (self.sweep > 0.0) == (p.norm() > q.norm());
+        ArcTo { radii, rotation, large: self.sweep.abs() > PI, counterclockwise }
+    }
+
     /// Both ends, the radii along cosine and sine, and the angles `start` and `sweep`: all that it is.
     pub(super) fn parts(&self) -> ([Complex64; 4], [f64; 2]) {
         ([self.from, self.to, self.cosine, self.sine], [self.start, self.sweep])
     }
 
     /// The arc of these parts, unless they contradict each other.
-    pub(super) fn from_parts([from, to, cosine, sine]: [Complex64; 4], [start, sweep]: [f64; 2]) -> Option<Self> {
-        let arc = Self { from, to, cosine, sine, start, sweep };
-        let size = cosine.norm() + sine.norm() + from.norm();
-        let miss = (from + Edge::Arc(arc).from_start(Complex64::ONE) - to).norm();
-        (miss <= 1e-9 * size && sweep.abs() <= MOST_SWEEP).then_some(arc)
+    pub(super) fn from_parts(points: [Complex64; 4], angles: [f64; 2]) -> Option<Self> {
+        let arc = Self::of_parts(points, angles);
+        let size = arc.cosine.norm() + arc.sine.norm() + arc.from.norm();
+        let miss = (arc.from + Edge::Arc(arc).from_start(Complex64::ONE) - arc.to).norm();
+        (miss <= 1e-9 * size && arc.sweep.abs() <= MOST_SWEEP).then_some(arc)
+    }
+
+    /// The arc of these parts, which fit each other.
+    pub(super) fn of_parts([from, to, cosine, sine]: [Complex64; 4], [start, sweep]: [f64; 2]) -> Self {
+        Self { from, to, cosine, sine, start, sweep }
     }
 
     /// dz/dφ.
@@ -300,7 +316,7 @@ impl Edge {
     }
 
     /// The larger side of its box of control points, about.
-    fn size(&self) -> f64 {
+    pub(super) fn size(&self) -> f64 {
         let from = self.from();
         let reach = |points: &[Complex64]| points.iter().map(|p| (p - from).norm()).fold(0.0, f64::max);
         match self {
@@ -395,6 +411,16 @@ impl Edge {
             high = Complex64::new(high.re.max(point.re), high.im.max(point.im));
         }
         (low, high)
+    }
+
+    /// Whether all its numbers are.
+    pub(super) fn is_finite(&self) -> bool {
+        match self {
+            Self::Line { from, to } => from.is_finite() && to.is_finite(),
+            Self::Arc(arc) => arc.parts().0.iter().all(|z| z.is_finite()) && arc.start.is_finite(),
+            Self::Quadratic(points) => points.iter().all(|z| z.is_finite()),
+            Self::Cubic(points) => points.iter().all(|z| z.is_finite()),
+        }
     }
 
     /// Whether it is an arc that goes around more than once.

@@ -149,9 +149,9 @@ impl Piece {
                 let radius = curve.bend(0.5.into()).norm() / arc.sweep().powi(2);
                 2.0 * radius * (0.25 * arc.sweep()).sin().powi(2)
             }
-            // The convex hull of its control points holds it.
-            Edge::Quadratic([_, c, _]) => distance_to_segment(c, a, b),
-            Edge::Cubic([_, c, d, _]) => distance_to_segment(c, a, b).max(distance_to_segment(d, a, b)),
+            // The weights of the inner control points add up to 2t(1 − t) and 3t(1 − t).
+            Edge::Quadratic([_, c, _]) => 0.5 * distance_to_segment(c, a, b),
+            Edge::Cubic([_, c, d, _]) => 0.75 * distance_to_segment(c, a, b).max(distance_to_segment(d, a, b)),
         };
         Self { edge, span, curve, sagitta }
     }
@@ -239,6 +239,28 @@ fn separate(edges: &[Edge], size: f64) -> Result<Vec<Piece>> {
     }
     keep_apart(&mut pieces, FLAT * size)?;
     Ok(pieces)
+}
+
+/// The points of an edge, its start left out, whose chords it leaves by `tolerance` at most.
+pub(super) fn flatten(edge: &Edge, tolerance: f64) -> Vec<Complex64> {
+    let whole = Piece::new(0, [0.0, 1.0], *edge);
+    if let (Edge::Arc(arc), true) = (edge, whole.sagitta > tolerance) {
+        // A circle's arcs of angle φ leave their chords by r (1 − cos φ/2) ≤ r φ²/8; the longer axis counts.
+        let radius = arc.drawn().radii.0;
+        let steps = (arc.sweep().abs() * (radius / (8.0 * tolerance)).sqrt()).ceil().max(2.0) as u32;
+        return (1..=steps).map(|k| edge.point(f64::from(k) / f64::from(steps))).collect();
+    }
+    let mut points = Vec::new();
+    let mut open = vec![(whole, DEEPEST)];
+    while let Some((piece, depth)) = open.pop() {
+        if depth > 0 && piece.sagitta > tolerance {
+            let [first, second] = piece.halves();
+            open.extend([(second, depth - 1), (first, depth - 1)]);
+        } else {
+            points.push(piece.curve.to());
+        }
+    }
+    points
 }
 
 /// Appends the pieces of an edge that leave their chords by `tolerance` at most.

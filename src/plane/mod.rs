@@ -1,5 +1,6 @@
 //! The plane: complex points, frames (pixels ↔ plane), polygons, regions, and domains with holes.
 
+mod affine;
 mod contour;
 mod curved_outline;
 mod domain;
@@ -26,7 +27,7 @@ pub use edge::{ArcTo, Edge, EllipticArc};
 pub(crate) use edge_tree::EdgeTree;
 pub use frame::Frame;
 pub use num_complex::Complex64;
-pub use outline_text::parse_outline;
+pub use outline_text::{Shape, parse_outline, parse_path, parse_shape, path_data};
 pub(crate) use polygon::ON_BOUNDARY;
 pub use polygon::{BoundaryPoint, Polygon};
 pub use region::Region;

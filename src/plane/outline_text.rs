@@ -1,9 +1,19 @@
 //! Outlines that come as text: points in JSON, the data of an SVG path, or an SVG file.
 
-use super::svg_path::attainable;
-use super::{Complex64, json_points, svg_file, svg_path};
+use super::affine::Affine;
+use super::edge_pieces::flatten;
+use super::svg_path::Chain;
+use super::{Complex64, Edge, json_points, svg_file, svg_path};
 use crate::{Error, Result};
-use kurbo::{BezPath, PathEl, Point};
+
+/// An outline and its holes, each a closed chain of edges as it was drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// The outline.
+    pub outline: Vec<Edge>,
+    /// What is inside of it.
+    pub holes: Vec<Vec<Edge>>,
+}
 
 /// Text → the vertices of an outline, times `scale`.
 ///
@@ -16,7 +26,8 @@ use kurbo::{BezPath, PathEl, Point};
 /// Subpaths without a segment draw nothing. An end that misses the start by less than the tolerance, as the rounded numbers
 /// of icons do, is closed. Text is read to its end: what cannot be read is an error that says where it stands.
 ///
-/// The outline may cross itself: whether it can bound a region is for [`Region::new`](super::Region::new)'s.
+/// The outline may cross itself: whether it can bound a region is for [`Region::new`](super::Region::new)'s. [`parse_shape`]
+/// keeps curves as they are, and holes.
 ///
 /// ```
 /// use conformal_warp::parse_outline;
@@ -31,18 +42,103 @@ use kurbo::{BezPath, PathEl, Point};
 /// [`Error::InvalidOutline`] for text that is none of these; [`Error::InvalidOption`] unless scale and tolerance are positive and
 /// finite.
 pub fn parse_outline(text: &str, scale: f64, tolerance: f64) -> Result<Vec<Complex64>> {
-    for (name, value) in [("scale", scale), ("tolerance", tolerance)] {
-        if !value.is_finite() || value <= 0.0 {
-            return Err(Error::InvalidOption { name, expected: "a positive number", value });
-        }
-    }
-    let text = text.trim();
-    let vertices = match text.chars().next() {
-        Some('[' | '{') => from_json(text)?,
-        Some('<') => one_of(&svg_file::read(text, tolerance / scale / 4.0).map_err(invalid)?, tolerance / scale)?,
-        _ => one_of(&[svg_path::read(text, tolerance / scale / 4.0).map_err(invalid)?], tolerance / scale)?,
+    check_positive("scale", scale)?;
+    check_positive("tolerance", tolerance)?;
+    let vertices = match drawn(text)? {
+        Drawn::Points(points) => points,
+        Drawn::Chains(chains) => one_of(&chains, tolerance / scale)?,
     };
     Ok(vertices.into_iter().map(|z| z * scale).collect())
+}
+
+/// Text → an outline with its holes, exactly as drawn, times `scale`: lines, arcs and Bézier curves.
+///
+/// The texts are those of [`parse_outline`], which flattens curves. The curve of the largest area is the outline, those inside
+/// of it are its holes. An end that misses the start by less than a thousandth of the curve's size and a quarter of the edges
+/// there is moved onto it; a wider gap is closed by a line.
+///
+/// ```
+/// use conformal_warp::{Complex64, Region, parse_shape};
+/// let shape = parse_shape("M-1 0 A1 1 0 0 1 1 0 Z", 2.0)?;
+/// assert_eq!((shape.outline.len(), shape.holes.len()), (2, 0));
+/// let half_disk = Region::from_edges(&shape.outline, Complex64::new(0.0, 1.0), Complex64::new(2.0, 0.0))?;
+/// assert!(half_disk.contains(Complex64::new(0.0, 2.0 - 1e-14)));
+/// # Ok::<(), conformal_warp::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::InvalidOutline`] for text that is none of these, and for curves that are neither the outline nor inside of it, which
+/// are counted; [`Error::InvalidOption`] unless `scale` is positive and finite.
+pub fn parse_shape(text: &str, scale: f64) -> Result<Shape> {
+    check_positive("scale", scale)?;
+    let chains = match drawn(text)? {
+        Drawn::Chains(chains) => chains.iter().map(|chain| closed(chain)).collect(),
+        Drawn::Points(points) => {
+            let next = |k: usize| points[(k + 1) % points.len()];
+            vec![(0..points.len()).map(|k| Edge::line(points[k], next(k))).collect()]
+        }
+    };
+    let scaled = |chain: Chain| chain.iter().map(|edge| edge.scaled(scale.into())).collect();
+    let Shape { outline, holes } = sorted(chains)?;
+    let shape = Shape { outline: scaled(outline), holes: holes.into_iter().map(scaled).collect() };
+    if shape.outline.iter().all(Edge::is_finite) { Ok(shape) } else { Err(invalid(TOO_LARGE)) }
+}
+
+/// The data of an SVG path in the plane's own coordinates, y up, → the edges of one closed curve. Arcs with the sweep flag run
+/// counter-clockwise.
+///
+/// ```
+/// use conformal_warp::{Complex64, parse_path};
+/// let half_disk = parse_path("M-1 0 L1 0 A1 1 0 0 1 -1 0 Z")?;
+/// assert!((half_disk[1].point(0.5) - Complex64::I).norm() < 1e-15);
+/// # Ok::<(), conformal_warp::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::InvalidOutline`] for text that is no path data, or that draws none or several curves.
+pub fn parse_path(data: &str) -> Result<Vec<Edge>> {
+    let mut chains = svg_path::read(data.trim()).map_err(invalid)?;
+    match (chains.len(), chains.pop()) {
+        (1, Some(chain)) => Ok(closed(&chain)),
+        (count, _) => Err(wrong_count(count)),
+    }
+}
+
+/// A closed chain of edges → the data of an SVG path in the plane's own coordinates, from which [`parse_path`] makes the same
+/// edges, up to the rounding of arcs.
+#[must_use]
+pub fn path_data(edges: &[Edge]) -> String {
+    svg_path::write(edges)
+}
+
+fn check_positive(name: &'static str, value: f64) -> Result<()> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(());
+    }
+    Err(Error::InvalidOption { name, expected: "a positive number", value })
+}
+
+const TOO_LARGE: &str = "it is larger than numbers can say";
+/// Ends that miss the start by less than this share of a curve's size are meant to meet it.
+const RESIDUE: f64 = 1e-3;
+
+enum Drawn {
+    Points(Vec<Complex64>),
+    Chains(Vec<Chain>),
+}
+
+/// What a text draws, y up.
+fn drawn(text: &str) -> Result<Drawn> {
+    let text = text.trim();
+    let chains = match text.chars().next() {
+        Some('[' | '{') => return Ok(Drawn::Points(from_json(text)?)),
+        Some('<') => svg_file::read(text),
+        _ => svg_path::read(text),
+    };
+    let upright = Affine::scale(1.0, -1.0);
+    let turned = |chain: Chain| -> Chain { chain.iter().map(|edge| upright.edge(edge)).collect() };
+    let chains: Vec<Chain> = chains.map_err(invalid)?.into_iter().map(turned).collect();
+    if chains.iter().flatten().all(Edge::is_finite) { Ok(Drawn::Chains(chains)) } else { Err(invalid(TOO_LARGE)) }
 }
 
 fn from_json(text: &str) -> Result<Vec<Complex64>> {
@@ -55,40 +151,47 @@ fn from_json(text: &str) -> Result<Vec<Complex64>> {
 }
 
 /// The one curve that all these draw, as the vertices of a closed polygon.
-fn one_of(paths: &[BezPath], tolerance: f64) -> Result<Vec<Complex64>> {
-    if !paths.iter().all(BezPath::is_finite) {
-        return Err(invalid("it is larger than numbers can say"));
-    }
-    let mut contours: Vec<_> = paths.iter().flat_map(|path| contours(path, tolerance)).collect();
+fn one_of(chains: &[Chain], tolerance: f64) -> Result<Vec<Complex64>> {
+    let mut contours: Vec<_> = chains.iter().map(|chain| contour(chain, tolerance)).collect();
+    contours.retain(|contour| contour.len() > 1);
     match (contours.len(), contours.pop()) {
         (1, Some(contour)) => Ok(contour),
-        (0, _) => Err(invalid("there is no curve")),
-        (count, _) => Err(invalid(format!("it has {count} curves, and an outline is one"))),
+        (count, _) => Err(wrong_count(count)),
     }
 }
 
-/// The polygons of a path's subpaths; those without a segment draw nothing, and are none.
-fn contours(path: &BezPath, tolerance: f64) -> Vec<Vec<Complex64>> {
-    let mut contours: Vec<Vec<Complex64>> = Vec::new();
-    // Elliptical arcs have had the rest of the tolerance.
-    let size = path.control_box().size().to_vec2().hypot();
-    kurbo::flatten(path, 0.75 * attainable(tolerance, size), |element| match element {
-        PathEl::MoveTo(point) => contours.push(vec![vertex(point)]),
-        PathEl::LineTo(point) => {
-            if let Some(contour) = contours.last_mut().filter(|contour| contour.last() != Some(&vertex(point))) {
-                contour.push(vertex(point));
-            }
-        }
-        // Flattened paths have no curves.
-        PathEl::QuadTo(..) | PathEl::CurveTo(..) | PathEl::ClosePath => {}
-    });
-    contours.iter_mut().for_each(|contour| close(contour, tolerance));
-    contours.retain(|contour| contour.len() > 1);
-    contours
+fn wrong_count(count: usize) -> Error {
+    if count == 0 {
+        return invalid("there is no curve");
+    }
+    invalid(format!("it has {count} curves, and an outline is one"))
 }
 
-fn vertex(point: Point) -> Complex64 {
-    Complex64::new(point.x, -point.y)
+/// The polygon of a subpath; of one point if it draws nothing.
+fn contour(chain: &Chain, tolerance: f64) -> Vec<Complex64> {
+    let tolerance_here = attainable(tolerance, size(chain));
+    let mut contour: Vec<Complex64> = chain.first().map(Edge::from).into_iter().collect();
+    contour.extend(chain.iter().flat_map(|edge| flatten(edge, tolerance_here)));
+    contour.dedup();
+    close(&mut contour, tolerance);
+    contour
+}
+
+/// The tolerance, or what the digits of something so large tell apart: to ask for less would only ask for memory.
+fn attainable(tolerance: f64, size: f64) -> f64 {
+    tolerance.max(1e-9 * size)
+}
+
+/// The larger side of the box around a chain.
+fn size(chain: &[Edge]) -> f64 {
+    let side = |coordinate: fn(Complex64) -> f64| {
+        let bounds = chain.iter().map(Edge::bounds);
+        let (low, high) = bounds.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (a, b)| {
+            (coordinate(a).min(low), coordinate(b).max(high))
+        });
+        (high - low).max(0.0)
+    };
+    side(|z| z.re).max(side(|z| z.im))
 }
 
 /// Takes away a last vertex that is the first, or that misses it by what rounded relative commands leave: no more than the
@@ -106,6 +209,68 @@ fn close(contour: &mut Vec<Complex64>, tolerance: f64) {
     }
 }
 
+/// The closed chain without edges that draw nothing: its end is moved onto its start if it was meant to be there, and joined
+/// with it by a line if not.
+fn closed(chain: &[Edge]) -> Chain {
+    let size = size(chain);
+    let mut chain: Chain = chain.iter().filter(|edge| edge.size() > 1e-14 * size).copied().collect();
+    let (Some(first), Some(last)) = (chain.first().copied(), chain.last().copied()) else { return chain };
+    let (start, end) = (first.from(), last.to());
+    let near = (RESIDUE * size).min(0.25 * first.size()).min(0.25 * last.size());
+    if (end - start).norm() > near {
+        chain.push(Edge::line(end, start));
+    } else if end != start && last.from() != end {
+        // Turned about where it starts; chains of one edge are closed as they are.
+        if let (Some(edge), true) = (chain.last_mut(), last.from() != start) {
+            *edge = turned_onto(&last, start);
+        }
+    }
+    chain
+}
+
+/// An edge turned and stretched about its start, so that it ends at `to`.
+fn turned_onto(edge: &Edge, to: Complex64) -> Edge {
+    let from = edge.from();
+    match edge {
+        Edge::Line { .. } => Edge::line(from, to),
+        _ => edge.moved(-from).scaled((to - from) / (edge.to() - from)).moved(from),
+    }
+}
+
+/// The outline, the chain of the largest area, and its holes.
+fn sorted(mut chains: Vec<Chain>) -> Result<Shape> {
+    chains.retain(|chain| !chain.is_empty());
+    let polygons: Vec<Vec<Complex64>> = chains.iter().map(|chain| contour(chain, 1e-3 * size(chain))).collect();
+    let areas: Vec<f64> = polygons.iter().map(|polygon| area(polygon)).collect();
+    let largest = (0..chains.len()).max_by(|a, b| areas[*a].total_cmp(&areas[*b]));
+    let Some(largest) = largest else { return Err(wrong_count(0)) };
+    let count = chains.len();
+    let outside = (0..count).filter(|k| *k != largest && !surrounds(&polygons[largest], polygons[*k][0])).count();
+    if outside > 0 {
+        let reason = format!(
+            "it has {count} curves, and {outside} of them {} outside of the largest: an outline is one curve, with holes inside",
+            if outside == 1 { "lies" } else { "lie" }
+        );
+        return Err(invalid(reason));
+    }
+    let outline = chains.remove(largest);
+    Ok(Shape { outline, holes: chains })
+}
+
+fn area(polygon: &[Complex64]) -> f64 {
+    let next = |k: usize| polygon[(k + 1) % polygon.len()] - polygon[0];
+    (0..polygon.len()).map(|k| ((polygon[k] - polygon[0]).conj() * next(k)).im).sum::<f64>().abs()
+}
+
+/// Whether a point is inside a polygon, which may cross itself, by the even-odd rule.
+fn surrounds(polygon: &[Complex64], z: Complex64) -> bool {
+    let edges = (0..polygon.len()).map(|k| (polygon[k], polygon[(k + 1) % polygon.len()]));
+    let crossed = edges.filter(|(a, b)| {
+        (a.im <= z.im) != (b.im <= z.im) && a.re + (b.re - a.re) * ((z.im - a.im) / (b.im - a.im)) > z.re
+    });
+    crossed.count() % 2 == 1
+}
+
 fn invalid(reason: impl Into<String>) -> Error {
     Error::InvalidOutline { reason: reason.into() }
 }
@@ -113,7 +278,7 @@ fn invalid(reason: impl Into<String>) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plane::Polygon;
+    use crate::plane::{ArcTo, Polygon};
 
     fn area(text: &str) -> f64 {
         Polygon::new(&parse_outline(text, 1.0, 1e-3).unwrap()).unwrap().area().abs()
@@ -255,5 +420,117 @@ mod tests {
             let error = parse_outline(text, 1.0, 0.1).unwrap_err();
             assert!(error.code() == "invalid-outline" && error.to_string().contains(reason), "{text}: {error}");
         }
+    }
+
+    fn at(x: f64, y: f64) -> Complex64 {
+        Complex64::new(x, y)
+    }
+
+    #[test]
+    fn every_command_is_read_exactly() {
+        // From (1, 2), absolutely and relatively; y up.
+        let cubic = |b, c, d| Edge::Cubic([at(1.0, 2.0), b, c, d]);
+        let quadratic = |b, c| Edge::Quadratic([at(1.0, 2.0), b, c]);
+        let arc = ArcTo { radii: (3.0, 2.0), rotation: 30f64.to_radians(), large: true, counterclockwise: true };
+        let drawn = [
+            ("L4 6", "l3 4", Edge::line(at(1.0, 2.0), at(4.0, 6.0))),
+            ("H4", "h3", Edge::line(at(1.0, 2.0), at(4.0, 2.0))),
+            ("V6", "v4", Edge::line(at(1.0, 2.0), at(1.0, 6.0))),
+            ("C3 2 5 4 4 6", "c2 0 4 2 3 4", cubic(at(3.0, 2.0), at(5.0, 4.0), at(4.0, 6.0))),
+            ("S5 4 4 6", "s4 2 3 4", cubic(at(1.0, 2.0), at(5.0, 4.0), at(4.0, 6.0))),
+            ("Q5 4 4 6", "q4 2 3 4", quadratic(at(5.0, 4.0), at(4.0, 6.0))),
+            ("T4 6", "t3 4", quadratic(at(1.0, 2.0), at(4.0, 6.0))),
+            ("A3 2 30 1 1 4 6", "a3 2 30 113 4", Edge::arc_to(at(1.0, 2.0), at(4.0, 6.0), arc)),
+        ];
+        for (absolute, relative, edge) in drawn {
+            for command in [absolute, relative] {
+                let path = parse_path(&format!("M1 2{command} V-9Z")).unwrap();
+                assert_eq!((path.len(), path[0]), (3, edge), "{command}");
+                assert_eq!((path[2].from().im, path[2].to()), (-9.0, at(1.0, 2.0)));
+            }
+        }
+        // Smooth commands mirror the control point of the last curve of their own kind.
+        let smooth = parse_path("M0 0C0 1 1 2 2 2s3 -1 3 -3Q5 -2 4 -2t-1 -1Z").unwrap();
+        assert_eq!(smooth[1], Edge::Cubic([at(2.0, 2.0), at(3.0, 2.0), at(5.0, 1.0), at(5.0, -1.0)]));
+        assert_eq!(smooth[3], Edge::Quadratic([at(4.0, -2.0), at(3.0, -2.0), at(3.0, -3.0)]));
+        // Further pairs are lines, and what follows a closed subpath begins where that began.
+        assert_eq!(parse_path("m1 2 3 4 5-6z").unwrap()[1], Edge::line(at(4.0, 6.0), at(9.0, 0.0)));
+        assert!(parse_path("M0 0h1v1zh-1v-1z").unwrap_err().to_string().contains("2 curves"));
+    }
+
+    #[test]
+    fn paths_are_written_as_they_are_read() {
+        for path in ["M0 0Q5 -9 10 0C10 8 3 9 4 4L-1.5e-7 3Z", "M1 0A1 1 0 1 1 0 1L0.25 0.5Z", "M3 0A4 2 33 0 0 0 5V1Z"]
+        {
+            let edges = parse_path(path).unwrap();
+            let again = parse_path(&path_data(&edges)).unwrap();
+            let ends = |edges: &[Edge]| edges.iter().map(Edge::to).collect::<Vec<_>>();
+            let straight = edges.iter().filter(|edge| !matches!(edge, Edge::Arc(_)));
+            assert!(straight.clone().all(|edge| again.contains(edge)), "{path}: {again:?}");
+            assert!(ends(&edges).iter().all(|end| ends(&again).contains(end)));
+            for (k, edge) in edges.iter().enumerate().filter(|(_, edge)| matches!(edge, Edge::Arc(_))) {
+                // Much of an ellipse is written as two parts.
+                let halves = &again[k..k + 1 + again.len() - edges.len()];
+                for t in [0.1, 0.4, 0.6, 0.9] {
+                    let share = t * halves.len() as f64;
+                    let half = &halves[share as usize];
+                    assert!((half.point(share.fract()) - edge.point(t)).norm() < 1e-14, "{path} {t}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn files_keep_circles_as_circles() {
+        let file = "<svg viewBox='0 0 100 50'><g transform='translate(3 4) rotate(90) scale(2 -2)'>\
+            <circle cx='1' cy='2' r='3'/></g></svg>";
+        // (x, y) → (2y + 3, 2x + 4), and turned over.
+        let shape = parse_shape(file, 0.5).unwrap();
+        for edge in &shape.outline {
+            for t in [0.0, 0.3, 0.5, 1.0] {
+                assert!(((edge.point(t) - at(3.5, -3.0)).norm() - 3.0).abs() < 2e-15);
+            }
+        }
+        let rect = parse_shape("<svg><rect x='1' width='9' height='5' rx='2' ry='1'/></svg>", 1.0).unwrap().outline;
+        assert_eq!(rect.len(), 8);
+        assert_eq!(rect[0], Edge::line(at(3.0, 0.0), at(8.0, 0.0)));
+        let bow = (rect[1].point(0.5) - at(8.0, -1.0)) * std::f64::consts::SQRT_2;
+        assert!((bow - at(2.0, 1.0)).norm() < 2e-15);
+        assert_eq!(parse_shape("<svg><rect width='9' height='5'/></svg>", 1.0).unwrap().outline.len(), 4);
+        let squeezed = "<svg><circle r='1' transform='scale(3 1) rotate(20)'/></svg>";
+        for edge in parse_shape(squeezed, 1.0).unwrap().outline {
+            let z = edge.point(0.3);
+            assert!(((z.re / 3.0).hypot(z.im) - 1.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn the_largest_subpath_is_the_outline_and_those_inside_are_holes() {
+        let shape = parse_shape("M2 2h1v1h-1zM0 0h10v10h-10zm6 6a1 1 0 0 0 2 0 1 1 0 0 0-2 0zM0 0", 1.0).unwrap();
+        assert_eq!(shape.outline[2].to(), at(0.0, -10.0));
+        assert_eq!(shape.holes.iter().map(Vec::len).collect::<Vec<_>>(), [4, 2]);
+        let apart = parse_shape("M0 0h9v9h-9zM2 2h1v1zM20 0h1v1zM30 0h1v1z", 1.0).unwrap_err().to_string();
+        assert!(apart.contains("4 curves") && apart.contains("2 of them lie outside"), "{apart}");
+        assert_eq!(parse_shape("[[0, 0], [1, 0], [0, 1], [0, 0]]", 1.0).unwrap().outline.len(), 3);
+        assert!(parse_shape("M0 0zM1 1", 1.0).unwrap_err().to_string().contains("no curve"));
+        assert_eq!(parse_shape("M0 0h1v1z", -1.0).unwrap_err().code(), "invalid-option");
+    }
+
+    #[test]
+    fn known_faults_stay_right_with_curves() {
+        let residue = parse_shape(fault("closing-residue")["input"].as_str().unwrap(), 1.0).unwrap().outline;
+        assert_eq!((residue.len(), residue[4].to()), (5, at(10.0, 0.0)));
+        // The same with an arc last: it is turned onto the start, and nothing is left to close.
+        let bent = parse_shape("M10 0h10v10h-20a5 5 0 0 1 10.01-10z", 1.0).unwrap().outline;
+        assert!(bent.len() == 4 && (bent[3].to() - at(10.0, 0.0)).norm() < 1e-14, "{bent:?}");
+        for text in fault("path-trailing-moveto")["inputs"].as_object().unwrap().values() {
+            let shape = parse_shape(text.as_str().unwrap(), 1.0).unwrap();
+            assert_eq!((shape.outline.len(), shape.holes.len()), (4, 0), "{text}");
+        }
+        for (name, text) in fault("path-silent-truncation")["inputs"].as_object().unwrap() {
+            assert_eq!(parse_shape(text.as_str().unwrap(), 1.0).unwrap_err().code(), "invalid-outline", "{name}");
+        }
+        // Where a gap is too wide for rounding, a line closes it.
+        assert_eq!(parse_shape("M0 0h10v10h-10", 1.0).unwrap().outline.len(), 4);
     }
 }

@@ -1,8 +1,10 @@
 //! An SVG file → the curves that it draws, in the user units of its outermost `svg`.
 
-use super::svg_path::{self, attainable};
-use kurbo::{Affine, BezPath, Shape};
+use super::affine::Affine;
+use super::svg_path::{self, Chain};
+use super::{Complex64, Edge, EllipticArc};
 use roxmltree::{Document, Node, ParsingOptions};
+use std::f64::consts::PI;
 use std::str::FromStr;
 use svgtypes::{Length, LengthUnit, Transform, ViewBox};
 
@@ -10,14 +12,14 @@ use svgtypes::{Length, LengthUnit, Transform, ViewBox};
 const MOST_ELEMENTS: u32 = 200_000;
 const DEEPEST: usize = 100;
 
-/// A file's text → its curves, with all transforms applied; they leave what is drawn by `tolerance` at most.
+/// A file's text → its curves, exactly, with all transforms applied.
 ///
 /// Paths and basic shapes, copies by `use`, nested `svg`s. Not drawn, and so not read: `defs`, clip paths, masks, patterns
 /// and symbols, what is hidden, and what has neither fill nor stroke. Style sheets are not read, only `style` attributes.
 ///
 /// # Errors
 /// What is wrong, in words, for text that is no SVG file.
-pub fn read(text: &str, tolerance: f64) -> Result<Vec<BezPath>, String> {
+pub fn read(text: &str) -> Result<Vec<Chain>, String> {
     let options = ParsingOptions { allow_dtd: true, nodes_limit: 5 * MOST_ELEMENTS, ..ParsingOptions::default() };
     let document =
         Document::parse_with_options(text, options).map_err(|error| format!("the file is no XML: {error}"))?;
@@ -26,10 +28,10 @@ pub fn read(text: &str, tolerance: f64) -> Result<Vec<BezPath>, String> {
         return Err(format!("the file's first element is “{}”, and an SVG file's is “svg”", root.tag_name().name()));
     }
     let size = view_box(root).map_or([100.0, 100.0], |view| [view.w, view.h]);
-    let mut reader = Reader { document: &document, tolerance, paths: Vec::new(), elements: 0 };
+    let mut reader = Reader { document: &document, chains: Vec::new(), elements: 0 };
     let painted = Look { filled: true, stroked: false, to_root: Affine::IDENTITY, size, depth: 0 };
     reader.children(root, painted.of(root))?;
-    Ok(reader.paths)
+    Ok(reader.chains)
 }
 
 /// What an element inherits.
@@ -62,8 +64,7 @@ impl Look {
 
 struct Reader<'a, 'text> {
     document: &'a Document<'text>,
-    tolerance: f64,
-    paths: Vec<BezPath>,
+    chains: Vec<Chain>,
     elements: u32,
 }
 
@@ -101,7 +102,7 @@ impl<'a, 'text> Reader<'a, 'text> {
         let found = self.document.descendants().find(|other| other.attribute("id") == Some(name));
         let Some(found) = found else { return Err(format!("the file uses “#{name}”, which it does not have")) };
         let [x, y] = [("x", 0), ("y", 1)].map(|(name, axis)| length(node, name, look.size[axis]));
-        let look = look.then(Affine::translate((x?.unwrap_or(0.0), y?.unwrap_or(0.0))));
+        let look = look.then(Affine::translate(x?.unwrap_or(0.0), y?.unwrap_or(0.0)));
         if found.tag_name().name() == "symbol" {
             self.children(found, look.of(found))
         } else {
@@ -110,63 +111,88 @@ impl<'a, 'text> Reader<'a, 'text> {
     }
 
     fn shape(&mut self, node: Node<'a, 'text>, look: Look) -> Result<(), String> {
-        let [a, b, c, d, ..] = look.to_root.as_coeffs();
-        let stretch = a.hypot(b).max(c.hypot(d)).max(f64::MIN_POSITIVE);
-        if let Some(path) = outline(node, look.size, self.tolerance / stretch)? {
-            self.paths.push(look.to_root * path);
-        }
+        let chains = outline(node, look.size)?;
+        self.chains.extend(chains.iter().map(|chain| chain.iter().map(|edge| look.to_root.edge(edge)).collect()));
         Ok(())
     }
 }
 
-/// The curve of a path or basic shape, in its own coordinates; none for other elements.
-fn outline(node: Node<'_, '_>, size: [f64; 2], tolerance: f64) -> Result<Option<BezPath>, String> {
+/// The curves of a path or basic shape, in its own coordinates; none for other elements.
+fn outline(node: Node<'_, '_>, size: [f64; 2]) -> Result<Vec<Chain>, String> {
     let diagonal = size[0].hypot(size[1]) / std::f64::consts::SQRT_2;
     let x = |name| Ok::<_, String>(length(node, name, size[0])?.unwrap_or(0.0));
     let y = |name| Ok::<_, String>(length(node, name, size[1])?.unwrap_or(0.0));
     Ok(match node.tag_name().name() {
-        "path" => Some(svg_path::read(node.attribute("d").unwrap_or_default(), tolerance)?),
+        "path" => svg_path::read(node.attribute("d").unwrap_or_default())?,
         "polygon" | "polyline" => {
             let points = node.attribute("points").unwrap_or_default().trim();
-            let close = if node.tag_name().name() == "polygon" { "z" } else { "" };
-            Some(if points.is_empty() {
-                BezPath::new()
-            } else {
-                svg_path::read(&format!("M{points}{close}"), tolerance)?
-            })
+            if points.is_empty() { Vec::new() } else { svg_path::read(&format!("M{points}"))? }
         }
-        "line" => Some(kurbo::Line::new((x("x1")?, y("y1")?), (x("x2")?, y("y2")?)).to_path(tolerance)),
+        "line" => {
+            let [from, to] = [(x("x1")?, y("y1")?), (x("x2")?, y("y2")?)].map(|(x, y)| Complex64::new(x, y));
+            vec![vec![Edge::line(from, to)]]
+        }
         "circle" => {
             let radius = length(node, "r", diagonal)?.unwrap_or(0.0);
-            let circle = kurbo::Circle::new((x("cx")?, y("cy")?), radius);
-            Some(circle.to_path(attainable(tolerance, radius)))
+            ellipse([x("cx")?, y("cy")?], [radius, radius])
         }
         "ellipse" => {
-            let radii = kurbo::Vec2::new(x("rx")?, y("ry")?);
-            let ellipse = kurbo::Ellipse::new((x("cx")?, y("cy")?), radii, 0.0);
-            Some(ellipse.to_path(attainable(tolerance, radii.hypot())))
+            let (rx, ry) = (length(node, "rx", size[0])?, length(node, "ry", size[1])?);
+            ellipse([x("cx")?, y("cy")?], [rx.or(ry).unwrap_or(0.0), ry.or(rx).unwrap_or(0.0)])
         }
         "rect" => {
             let ([left, top], [width, height]) = ([x("x")?, y("y")?], [x("width")?, y("height")?]);
             // Sizes that are not positive draw nothing, and would leave no room for the corners' radii.
             if width.is_nan() || height.is_nan() || width <= 0.0 || height <= 0.0 {
-                return Ok(None);
+                return Ok(Vec::new());
             }
             let (rx, ry) = (length(node, "rx", size[0])?, length(node, "ry", size[1])?);
-            let rx = rx.or(ry).unwrap_or(0.0).clamp(0.0, width / 2.0);
-            let ry = ry.or(Some(rx)).unwrap_or(0.0).clamp(0.0, height / 2.0);
-            let (h, v) = (width - 2.0 * rx, height - 2.0 * ry);
-            let arc = |x: f64, y: f64| format!("a{rx} {ry} 0 0 1 {x} {y}");
-            let corners = [arc(rx, ry), arc(-rx, ry), arc(-rx, -ry), arc(rx, -ry)];
-            let [right, bottom, left_low, left_high] = if rx > 0.0 && ry > 0.0 { corners } else { Default::default() };
-            let start = left + rx;
-            Some(svg_path::read(
-                &format!("M{start} {top}h{h}{right}v{v}{bottom}h-{h}{left_low}v-{v}{left_high}z"),
-                tolerance,
-            )?)
+            let (rx, ry) = (rx.or(ry).unwrap_or(0.0), ry.or(rx).unwrap_or(0.0));
+            rectangle([left, top], [width, height], [rx.clamp(0.0, width / 2.0), ry.clamp(0.0, height / 2.0)])
         }
-        _ => None,
+        _ => Vec::new(),
     })
+}
+
+/// An ellipse as two halves; without positive radii it draws nothing.
+fn ellipse([x, y]: [f64; 2], [rx, ry]: [f64; 2]) -> Vec<Chain> {
+    if rx.is_nan() || ry.is_nan() || rx <= 0.0 || ry <= 0.0 {
+        return Vec::new();
+    }
+    let half =
+        |start: f64| Edge::Arc(EllipticArc::new(Complex64::new(x, y), rx.into(), Complex64::new(0.0, ry), start, PI));
+    vec![vec![half(0.0), half(PI)]]
+}
+
+/// A rectangle with quarters of ellipses at its corners, if their radii are positive.
+fn rectangle([left, top]: [f64; 2], [width, height]: [f64; 2], [rx, ry]: [f64; 2]) -> Vec<Chain> {
+    let rounded = rx > 0.0 && ry > 0.0;
+    let [rx, ry] = if rounded { [rx, ry] } else { [0.0, 0.0] };
+    let (right, bottom) = (left + width, top + height);
+    // Each corner's center, and its ends along the way.
+    let inner = |right_side: bool, bottom_side: bool| {
+        let x = if right_side { right - rx } else { left + rx };
+        Complex64::new(x, if bottom_side { bottom - ry } else { top + ry })
+    };
+    let (across, down) = (Complex64::new(rx, 0.0), Complex64::new(0.0, ry));
+    let corners = [
+        (inner(true, false), -down, across),
+        (inner(true, true), across, down),
+        (inner(false, true), down, -across),
+        (inner(false, false), -across, -down),
+    ];
+    let mut chain = Chain::new();
+    let mut at = corners[3].0 + corners[3].2;
+    for (center, first, second) in corners {
+        if center + first != at {
+            chain.push(Edge::line(at, center + first));
+        }
+        if rounded {
+            chain.push(Edge::Arc(EllipticArc::new(center, first, second, 0.0, 0.5 * PI)));
+        }
+        at = center + second;
+    }
+    vec![chain]
 }
 
 /// An attribute, or what `style` says in its stead.
@@ -200,7 +226,7 @@ fn transform(node: Node<'_, '_>) -> Result<Affine, String> {
     let Some(text) = node.attribute("transform") else { return Ok(Affine::IDENTITY) };
     let Transform { a, b, c, d, e, f } =
         Transform::from_str(text).map_err(|error| format!("transform=\"{text}\": {error}"))?;
-    Ok(Affine::new([a, b, c, d, e, f]))
+    Ok(Affine::matrix([a, b, c, d, e, f]))
 }
 
 fn view_box(node: Node<'_, '_>) -> Option<ViewBox> {
@@ -210,14 +236,14 @@ fn view_box(node: Node<'_, '_>) -> Option<ViewBox> {
 /// Coordinates inside a nested `svg` → those around it, and the size that percentages mean inside.
 fn viewport(node: Node<'_, '_>, around: [f64; 2]) -> Result<(Affine, [f64; 2]), String> {
     let [x, y] = [("x", 0), ("y", 1)].map(|(name, axis)| length(node, name, around[axis]));
-    let corner = (x?.unwrap_or(0.0), y?.unwrap_or(0.0));
+    let corner = Affine::translate(x?.unwrap_or(0.0), y?.unwrap_or(0.0));
     let [w, h] = [("width", 0), ("height", 1)].map(|(name, axis)| length(node, name, around[axis]));
     let (width, height) = (w?.unwrap_or(around[0]), h?.unwrap_or(around[1]));
-    let Some(view) = view_box(node) else { return Ok((Affine::translate(corner), [width, height])) };
+    let Some(view) = view_box(node) else { return Ok((corner, [width, height])) };
     let (across, down) = (width / view.w, height / view.h);
     let keeps = !node.attribute("preserveAspectRatio").is_some_and(|text| text.trim().starts_with("none"));
     let (across, down) = if keeps { (across.min(down), across.min(down)) } else { (across, down) };
-    let margin = ((width - across * view.w) / 2.0, (height - down * view.h) / 2.0);
-    let fit = Affine::translate(corner) * Affine::translate(margin) * Affine::scale_non_uniform(across, down);
-    Ok((fit * Affine::translate((-view.x, -view.y)), [view.w, view.h]))
+    let margin = Affine::translate((width - across * view.w) / 2.0, (height - down * view.h) / 2.0);
+    let fit = corner * margin * Affine::scale(across, down);
+    Ok((fit * Affine::translate(-view.x, -view.y), [view.w, view.h]))
 }

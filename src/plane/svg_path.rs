@@ -1,19 +1,66 @@
-//! The data of an SVG path ↔ curves, in the path's own coordinates.
+//! The data of an SVG path ↔ edges, in the path's own coordinates: angles count from x to y.
 
-use kurbo::{Arc, BezPath, Point, SvgArc, Vec2};
+use super::Complex64;
+use super::edge::{ArcTo, Edge};
+use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use svgtypes::{PathParser, PathSegment};
 
-/// Path data, the attribute `d`, → lines and Béziers; elliptical arcs become cubics that leave them by `tolerance` at most.
+/// A subpath: edges that each start where the last one ends. It need not be closed.
+pub type Chain = Vec<Edge>;
+
+/// Path data, the attribute `d`, → its subpaths, exactly; those without a segment, which draw nothing, are left out.
 ///
 /// # Errors
 /// The whole text is read: what cannot be is named, with its place.
-pub fn read(data: &str, tolerance: f64) -> Result<BezPath, String> {
-    let mut pen = Pen { path: BezPath::new(), at: Point::ORIGIN, start: None, cubic: None, quadratic: None, tolerance };
+pub fn read(data: &str) -> Result<Vec<Chain>, String> {
+    let mut pen = Pen::default();
     for segment in PathParser::from(data) {
         pen.draw(segment.map_err(|error| explain(data, &error))?);
     }
-    if pen.path.is_finite() { Ok(pen.path) } else { Err("a number is too large".into()) }
+    let mut chains = pen.chains;
+    chains.retain(|chain| !chain.is_empty());
+    if chains.iter().flatten().all(Edge::is_finite) { Ok(chains) } else { Err("a number is too large".into()) }
+}
+
+/// A closed chain → path data that [`read`] reads as the same edges, up to the rounding of arcs.
+#[must_use]
+pub fn write(chain: &[Edge]) -> String {
+    let mut data = String::new();
+    if let Some(first) = chain.first() {
+        put(&mut data, 'M', &[first.from()]);
+    }
+    chain.iter().for_each(|edge| put_edge(&mut data, edge));
+    data.push('Z');
+    data
+}
+
+fn put_edge(data: &mut String, edge: &Edge) {
+    match edge {
+        Edge::Line { to, .. } => put(data, 'L', &[*to]),
+        // Around half of an ellipse its center would be told badly, and a whole one not at all.
+        Edge::Arc(arc) if arc.sweep().abs() > 0.75 * PI => edge.split(0.5).iter().for_each(|half| put_edge(data, half)),
+        Edge::Arc(arc) => {
+            let ArcTo { radii, rotation, large, counterclockwise } = arc.drawn();
+            let (large, sweep) = (u8::from(large), u8::from(counterclockwise));
+            // A String takes whatever is written.
+            let _ = write!(data, "A{} {} {} {large} {sweep} ", radii.0, radii.1, rotation.to_degrees());
+            put_points(data, &[edge.to()]);
+        }
+        Edge::Quadratic(points) => put(data, 'Q', &points[1..]),
+        Edge::Cubic(points) => put(data, 'C', &points[1..]),
+    }
+}
+
+fn put(data: &mut String, command: char, points: &[Complex64]) {
+    data.push(command);
+    put_points(data, points);
+}
+
+fn put_points(data: &mut String, points: &[Complex64]) {
+    for (k, z) in points.iter().enumerate() {
+        let _ = write!(data, "{}{} {}", if k == 0 { "" } else { " " }, z.re, z.im);
+    }
 }
 
 /// A polyline → path data, to hundredths.
@@ -31,101 +78,90 @@ pub fn polyline(points: impl IntoIterator<Item = (f64, f64)>, closed: bool) -> S
 }
 
 /// What the pen remembers between segments.
+#[derive(Default)]
 struct Pen {
-    path: BezPath,
-    at: Point,
-    /// Where a closed subpath began, as long as nothing follows it: what follows would begin there.
-    start: Option<Point>,
+    chains: Vec<Chain>,
+    at: Complex64,
+    /// Where the subpath began.
+    start: Complex64,
+    /// Whether the subpath was closed: what follows begins another one there.
+    closed: bool,
     /// The last control point, if the last segment was a cubic, or a quadratic: smooth ones mirror it.
-    cubic: Option<Point>,
-    quadratic: Option<Point>,
-    tolerance: f64,
+    cubic: Option<Complex64>,
+    quadratic: Option<Complex64>,
 }
 
 impl Pen {
     fn draw(&mut self, segment: PathSegment) {
-        let origin = if segment.is_abs() { Vec2::ZERO } else { self.at.to_vec2() };
-        let place = |x: f64, y: f64| Point::new(x, y) + origin;
+        let origin = if segment.is_abs() { Complex64::ZERO } else { self.at };
+        let place = |x: f64, y: f64| Complex64::new(x, y) + origin;
         let (cubic, quadratic) = (self.cubic.take(), self.quadratic.take());
-        let is_move = matches!(segment, PathSegment::MoveTo { .. } | PathSegment::ClosePath { .. });
-        if let (Some(start), false) = (self.start, is_move) {
-            self.path.move_to(start);
-            self.start = None;
-        }
+        let at = self.at;
         match segment {
-            PathSegment::MoveTo { x, y, .. } => {
-                self.start = None;
-                self.at = place(x, y);
-                self.path.move_to(self.at);
-            }
+            PathSegment::MoveTo { x, y, .. } => self.begin(place(x, y)),
             PathSegment::LineTo { x, y, .. } => self.line_to(place(x, y)),
-            PathSegment::HorizontalLineTo { x, .. } => self.line_to(Point::new(x + origin.x, self.at.y)),
-            PathSegment::VerticalLineTo { y, .. } => self.line_to(Point::new(self.at.x, y + origin.y)),
+            PathSegment::HorizontalLineTo { x, .. } => self.line_to(Complex64::new(x + origin.re, at.im)),
+            PathSegment::VerticalLineTo { y, .. } => self.line_to(Complex64::new(at.re, y + origin.im)),
             PathSegment::CurveTo { x1, y1, x2, y2, x, y, .. } => {
                 self.cubic_to(place(x1, y1), place(x2, y2), place(x, y));
             }
             PathSegment::SmoothCurveTo { x2, y2, x, y, .. } => {
-                self.cubic_to(self.mirrored(cubic), place(x2, y2), place(x, y));
+                self.cubic_to(mirrored(at, cubic), place(x2, y2), place(x, y));
             }
             PathSegment::Quadratic { x1, y1, x, y, .. } => self.quadratic_to(place(x1, y1), place(x, y)),
-            PathSegment::SmoothQuadratic { x, y, .. } => self.quadratic_to(self.mirrored(quadratic), place(x, y)),
+            PathSegment::SmoothQuadratic { x, y, .. } => self.quadratic_to(mirrored(at, quadratic), place(x, y)),
             PathSegment::EllipticalArc { rx, ry, x_axis_rotation, large_arc, sweep, x, y, .. } => {
-                let (from, to, x_rotation) = (self.at, place(x, y), x_axis_rotation.to_radians());
-                self.arc_to(&SvgArc { from, to, radii: Vec2::new(rx, ry), x_rotation, large_arc, sweep });
+                // Whole turns would cost the angle its digits.
+                let rotation = (x_axis_rotation % 360.0).to_radians() % TAU;
+                let arc = ArcTo { radii: (rx, ry), rotation, large: large_arc, counterclockwise: sweep };
+                let to = place(x, y);
+                // An arc to where it starts is none, as SVG has it.
+                if to != at {
+                    self.add(Edge::arc_to(at, to, arc));
+                }
             }
             PathSegment::ClosePath { .. } => self.close(),
         }
     }
 
-    fn line_to(&mut self, to: Point) {
-        self.path.line_to(to);
-        self.at = to;
+    fn begin(&mut self, at: Complex64) {
+        self.chains.push(Chain::new());
+        (self.at, self.start, self.closed) = (at, at, false);
     }
 
-    fn cubic_to(&mut self, first: Point, second: Point, to: Point) {
-        self.path.curve_to(first, second, to);
-        (self.at, self.cubic) = (to, Some(second));
-    }
-
-    fn quadratic_to(&mut self, control: Point, to: Point) {
-        self.path.quad_to(control, to);
-        (self.at, self.quadratic) = (to, Some(control));
-    }
-
-    fn arc_to(&mut self, arc: &SvgArc) {
-        match Arc::from_svg_arc(arc) {
-            Some(curve) => {
-                let mut pieces = Vec::new();
-                let tolerance = attainable(self.tolerance, curve.radii.hypot());
-                curve.to_cubic_beziers(tolerance, |first, second, to| pieces.push([first, second, to]));
-                // The end that was written, not the one that sines and cosines give.
-                if let Some(last) = pieces.last_mut() {
-                    last[2] = arc.to;
-                }
-                pieces.into_iter().for_each(|[first, second, to]| self.path.curve_to(first, second, to));
-                self.at = arc.to;
-            }
-            None => self.line_to(arc.to),
+    fn add(&mut self, edge: Edge) {
+        if self.closed {
+            self.begin(self.start);
         }
+        self.at = edge.to();
+        if let Some(chain) = self.chains.last_mut() {
+            chain.push(edge);
+        }
+    }
+
+    fn line_to(&mut self, to: Complex64) {
+        self.add(Edge::line(self.at, to));
+    }
+
+    fn cubic_to(&mut self, first: Complex64, second: Complex64, to: Complex64) {
+        self.add(Edge::Cubic([self.at, first, second, to]));
+        self.cubic = Some(second);
+    }
+
+    fn quadratic_to(&mut self, control: Complex64, to: Complex64) {
+        self.add(Edge::Quadratic([self.at, control, to]));
+        self.quadratic = Some(control);
     }
 
     /// A second `Z` closes nothing.
     fn close(&mut self) {
-        if self.start.is_none() {
-            let start = self.path.elements().iter().rev().find_map(|element| match element {
-                kurbo::PathEl::MoveTo(start) => Some(*start),
-                _ => None,
-            });
-            self.path.close_path();
-            self.at = start.unwrap_or(self.at);
-            self.start = Some(self.at);
-        }
+        (self.at, self.closed) = (self.start, true);
     }
+}
 
-    /// The control point that continues the last curve smoothly.
-    fn mirrored(&self, control: Option<Point>) -> Point {
-        control.map_or(self.at, |control| self.at + (self.at - control))
-    }
+/// The control point that continues the last curve smoothly.
+fn mirrored(at: Complex64, control: Option<Complex64>) -> Complex64 {
+    control.map_or(at, |control| at + (at - control))
 }
 
 /// Says which character cannot be read, and where it stands, counted from 1.
@@ -145,9 +181,4 @@ fn explain(data: &str, error: &svgtypes::Error) -> String {
         Some((index, c)) => format!("the path cannot be read from “{c}” (character {}) on", index + 1),
         None => "the path ends in the middle of a command".into(),
     }
-}
-
-/// The tolerance, or what the digits of something so large tell apart: to ask for less would only ask for memory.
-pub fn attainable(tolerance: f64, size: f64) -> f64 {
-    tolerance.max(1e-9 * size)
 }
