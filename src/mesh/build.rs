@@ -180,6 +180,10 @@ impl<'a> Draft<'a> {
             let before = self.source.len();
             let full = self.refine_to(bound, &mut known, progress)?;
             self.connect_valid(self.map, progress)?;
+            if self.evidence.mended > 0 {
+                // What was known was so of nodes that have been moved.
+                known = Known::default();
+            }
             self.measure(&known);
             self.evidence.stop = match self.evidence.largest_error.max(self.evidence.crowded_error) <= bound {
                 true => MeshStop::Density,
