@@ -228,7 +228,7 @@ function words(type) {
   if (typeof type !== "string") {
     if ("oneOf" in type) return `one of ${type.oneOf.map((one) => `"${one}"`).join(", ")}`;
     if ("any" in type) return type.any.map(words).join(" or ");
-    if ("tuple" in type) return `an array of ${type.tuple.length} numbers`;
+    if ("tuple" in type) return `an array of ${type.tuple.length} ${type.tuple.includes("Point") ? "points" : "numbers"}`;
     if ("list" in type) return "an array";
     if ("methods" in type) return `an object with a method ${type.methods.join(", ")}`;
     return "fields" in type ? `an object with keys of ${Object.keys(type.fields).join(", ")}` : "an object of names and values";

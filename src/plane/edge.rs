@@ -182,6 +182,7 @@ impl Edge {
 
     /// z(t), exactly the ends at 0 and 1.
     #[must_use]
+    #[inline(never)]
     pub fn point(&self, t: f64) -> Complex64 {
         if t < 0.5 {
             self.from() + self.from_start(t.into())
@@ -198,6 +199,7 @@ impl Edge {
 
     /// (z(t) − z(s))/(t − s), without cancellation; z'(t) where s = t.
     #[must_use]
+    #[inline(never)]
     pub fn chord(&self, s: Complex64, t: Complex64) -> Complex64 {
         match self {
             Self::Line { from, to } => to - from,
@@ -244,6 +246,7 @@ impl Edge {
 
     /// z'(t).
     #[must_use]
+    #[inline(never)]
     pub fn tangent(&self, t: Complex64) -> Complex64 {
         match self {
             Self::Line { from, to } => to - from,
@@ -257,6 +260,7 @@ impl Edge {
 
     /// z''(t).
     #[must_use]
+    #[inline(never)]
     pub fn bend(&self, t: Complex64) -> Complex64 {
         match self {
             Self::Line { .. } => Complex64::ZERO,
@@ -286,6 +290,7 @@ impl Edge {
 
     /// Unit vector along the edge at z(0); not finite if the edge is a point.
     #[must_use]
+    #[inline(never)]
     pub fn start_direction(&self) -> Complex64 {
         let size = self.size();
         let first = |points: &[Complex64]| {
@@ -329,6 +334,7 @@ impl Edge {
 
     /// The same curve run backwards.
     #[must_use]
+    #[inline(never)]
     pub fn reversed(&self) -> Self {
         match *self {
             Self::Line { from, to } => Self::Line { from: to, to: from },
@@ -346,6 +352,7 @@ impl Edge {
 
     /// The same curve, `by` plane units away.
     #[must_use]
+    #[inline(never)]
     pub fn moved(&self, by: Complex64) -> Self {
         match *self {
             Self::Line { from, to } => Self::Line { from: from + by, to: to + by },
@@ -357,6 +364,7 @@ impl Edge {
 
     /// The same curve, turned and scaled about 0.
     #[must_use]
+    #[inline(never)]
     pub fn scaled(&self, by: Complex64) -> Self {
         match *self {
             Self::Line { from, to } => Self::Line { from: from * by, to: to * by },
@@ -374,6 +382,7 @@ impl Edge {
 
     /// The parts before and after t.
     #[must_use]
+    #[inline(never)]
     pub fn split(&self, t: f64) -> [Self; 2] {
         let mix = |a: Complex64, b: Complex64| a + (b - a) * t;
         match *self {
@@ -403,6 +412,7 @@ impl Edge {
 
     /// Lower left and upper right corner of the smallest box around it.
     #[must_use]
+    #[inline(never)]
     pub fn bounds(&self) -> (Complex64, Complex64) {
         let (mut low, mut high) = (self.from(), self.from());
         let turning = self.turning_points();
@@ -429,6 +439,7 @@ impl Edge {
     }
 
     /// The parameters where x or y may be extreme.
+    #[inline(never)]
     pub(super) fn turning_points(&self) -> Vec<f64> {
         match self {
             Self::Line { .. } => Vec::new(),

@@ -140,6 +140,7 @@ impl EdgePieces {
 }
 
 impl Piece {
+    #[inline(never)]
     fn new(edge: usize, span: [f64; 2], curve: Edge) -> Self {
         let (a, b) = (curve.from(), curve.to());
         let sagitta = match curve {
@@ -161,6 +162,7 @@ impl Piece {
     }
 
     /// The larger angle between the chord and the curve's directions at its ends, in radians.
+    #[inline(never)]
     fn turn(&self) -> f64 {
         let chord = self.chord();
         [self.curve.start_direction(), self.curve.end_direction()]
@@ -184,11 +186,12 @@ impl Piece {
             return false;
         }
         let up = if b.im > a.im { 1.0 } else { -1.0 };
-        let s = root(|s| up * (self.curve.point(s).im - z.im), |s| up * self.curve.tangent(s.into()).im);
+        let s = root(&|s| up * (self.curve.point(s).im - z.im), &|s| up * self.curve.tangent(s.into()).im);
         self.curve.point(s).re > z.re
     }
 
     /// The piece's own parameter where it is nearest to `z`.
+    #[inline(never)]
     fn foot(&self, z: Complex64) -> f64 {
         let curve = &self.curve;
         let behind = |at: Complex64, direction: Complex64| ((at - z) * direction.conj()).re;
@@ -198,18 +201,15 @@ impl Piece {
         if behind(curve.to(), curve.end_direction()) <= 0.0 {
             return 1.0;
         }
-        root(
-            |s| behind(curve.point(s), curve.tangent(s.into())),
-            |s| {
-                let s = Complex64::from(s);
-                curve.tangent(s).norm_sqr() + behind(curve.point(s.re), curve.bend(s))
-            },
-        )
+        root(&|s| behind(curve.point(s), curve.tangent(s.into())), &|s| {
+            let s = Complex64::from(s);
+            curve.tangent(s).norm_sqr() + behind(curve.point(s.re), curve.bend(s))
+        })
     }
 }
 
 /// The root in [0, 1] of a function that rises from below 0 to above, by Newton's method within a bracket.
-fn root(value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> f64 {
+fn root(value: &dyn Fn(f64) -> f64, slope: &dyn Fn(f64) -> f64) -> f64 {
     let (mut low, mut high, mut s) = (0.0, 1.0, 0.5);
     for _ in 0..STEPS {
         let found = value(s);
@@ -242,6 +242,7 @@ fn separate(edges: &[Edge], size: f64) -> Result<Vec<Piece>> {
 }
 
 /// The points of an edge, its start left out, whose chords it leaves by `tolerance` at most.
+#[inline(never)]
 pub(super) fn flatten(edge: &Edge, tolerance: f64) -> Vec<Complex64> {
     let whole = Piece::new(0, [0.0, 1.0], *edge);
     if let (Edge::Arc(arc), true) = (edge, whole.sagitta > tolerance) {
@@ -284,6 +285,7 @@ fn cut(k: usize, edge: &Edge, tolerance: f64, pieces: &mut Vec<Piece>) {
     }
 }
 
+#[inline(never)]
 fn halve(piece: Piece, tolerance: f64, depth: usize, pieces: &mut Vec<Piece>) {
     let is_long = piece.chord().norm() > tolerance;
     if depth > 0 && (piece.sagitta > tolerance || (is_long && piece.turn() > TURN)) {
@@ -325,6 +327,7 @@ fn keep_apart(pieces: &mut Vec<Piece>, flat: f64) -> Result<()> {
 }
 
 /// Whether two pieces could share more than the point between them, for all that their chords and sagittas tell.
+#[inline(never)]
 fn may_meet(pieces: &[Piece], first: usize, second: usize) -> bool {
     let (a, b) = (&pieces[first], &pieces[second]);
     let is_before = first + 1 == second;
@@ -351,6 +354,7 @@ fn may_meet(pieces: &[Piece], first: usize, second: usize) -> bool {
     distance <= a.sagitta + b.sagitta
 }
 
+#[inline(never)]
 fn distance_to_segment(z: Complex64, a: Complex64, b: Complex64) -> f64 {
     let t = (((z - a) * (b - a).conj()).re / (b - a).norm_sqr()).clamp(0.0, 1.0);
     (z - a - (b - a) * if t.is_nan() { 0.0 } else { t }).norm()

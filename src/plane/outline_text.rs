@@ -168,10 +168,13 @@ fn wrong_count(count: usize) -> Error {
 }
 
 /// The polygon of a subpath; of one point if it draws nothing.
+#[inline(never)]
 fn contour(chain: &Chain, tolerance: f64) -> Vec<Complex64> {
     let tolerance_here = attainable(tolerance, size(chain));
     let mut contour: Vec<Complex64> = chain.first().map(Edge::from).into_iter().collect();
-    contour.extend(chain.iter().flat_map(|edge| flatten(edge, tolerance_here)));
+    for edge in chain {
+        contour.extend_from_slice(&flatten(edge, tolerance_here));
+    }
     contour.dedup();
     close(&mut contour, tolerance);
     contour
@@ -183,6 +186,7 @@ fn attainable(tolerance: f64, size: f64) -> f64 {
 }
 
 /// The larger side of the box around a chain.
+#[inline(never)]
 fn size(chain: &[Edge]) -> f64 {
     let side = |coordinate: fn(Complex64) -> f64| {
         let bounds = chain.iter().map(Edge::bounds);
@@ -211,6 +215,7 @@ fn close(contour: &mut Vec<Complex64>, tolerance: f64) {
 
 /// The closed chain without edges that draw nothing: its end is moved onto its start if it was meant to be there, and joined
 /// with it by a line if not.
+#[inline(never)]
 fn closed(chain: &[Edge]) -> Chain {
     let size = size(chain);
     let mut chain: Chain = chain.iter().filter(|edge| edge.size() > 1e-14 * size).copied().collect();
@@ -238,6 +243,7 @@ fn turned_onto(edge: &Edge, to: Complex64) -> Edge {
 }
 
 /// The outline, the chain of the largest area, and its holes.
+#[inline(never)]
 fn sorted(mut chains: Vec<Chain>) -> Result<Shape> {
     chains.retain(|chain| !chain.is_empty());
     let polygons: Vec<Vec<Complex64>> = chains.iter().map(|chain| contour(chain, 1e-3 * size(chain))).collect();

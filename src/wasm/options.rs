@@ -216,6 +216,28 @@ pub fn numbers<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error>
     Ok(array.to_vec())
 }
 
+/// For `#[serde(default, deserialize_with)]`: a `Float64Array`, copied; none for undefined.
+///
+/// # Errors
+/// The deserialiser's, for anything else.
+pub fn some_numbers<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<f64>>, D::Error> {
+    let value: JsValue = serde_wasm_bindgen::preserve::deserialize(from)?;
+    if value.is_undefined() || value.is_null() {
+        return Ok(None);
+    }
+    let array = value.dyn_into::<Float64Array>().map_err(|_| D::Error::custom("expected a Float64Array"))?;
+    Ok(Some(array.to_vec()))
+}
+
+/// For `#[serde(default, deserialize_with)]`: any value, passed through; none for undefined.
+///
+/// # Errors
+/// None.
+pub fn some_value<'de, D: Deserializer<'de>>(from: D) -> Result<Option<JsValue>, D::Error> {
+    let value: JsValue = serde_wasm_bindgen::preserve::deserialize(from)?;
+    Ok((!value.is_undefined() && !value.is_null()).then_some(value))
+}
+
 /// For `#[serde(deserialize_with)]`: an array of `Float64Array`s, copied.
 ///
 /// # Errors

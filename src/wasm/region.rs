@@ -4,24 +4,32 @@ use super::error::Failure;
 use super::options::{self, Point};
 use super::points;
 use crate::Error;
-use crate::plane::{self, Complex64, Curve, Domain, NOWHERE};
-use js_sys::Array;
-use serde::Deserialize;
+use crate::plane::{self, Complex64, Curve, Domain, Edge, EllipticArc, NOWHERE};
+use js_sys::{Array, Reflect};
+use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
+use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// What makes a region.
 #[derive(Debug, Deserialize, Tsify)]
 pub struct RegionOptions {
-    /// The boundary points `[x0, y0, x1, y1, …]`, in either orientation.
-    #[serde(deserialize_with = "options::numbers")]
-    #[tsify(type = "Float64Array")]
-    pub boundary: Vec<f64>,
+    /// The boundary points `[x0, y0, x1, y1, …]`, in either orientation. A boundary is given by this, by `path` or by `edges`.
+    #[serde(default, deserialize_with = "options::some_numbers")]
+    #[tsify(optional, type = "Float64Array")]
+    pub boundary: Option<Vec<f64>>,
     /// How the boundary points are joined; "polygon" by default.
-    #[serde(default)]
     #[tsify(optional)]
-    pub curve: Curve,
-    /// The boundary points of each hole, in either orientation.
+    pub curve: Option<Curve>,
+    /// The boundary as one closed curve in the language of SVG's paths, every command kept exactly; but in plane coordinates, y
+    /// up, so that arcs with the sweep flag run counter-clockwise.
+    #[tsify(optional)]
+    pub path: Option<String>,
+    /// The boundary as a closed chain of edges, each of which starts where the last one ends, in either orientation.
+    #[serde(default, deserialize_with = "options::some_value")]
+    #[tsify(optional, type = "EdgeOptions[]")]
+    pub edges: Option<JsValue>,
+    /// The boundary points of each hole, in either orientation. Not with `path` or `edges`.
     #[serde(default, deserialize_with = "options::number_arrays")]
     #[tsify(optional, type = "Float64Array[]")]
     pub holes: Vec<Vec<f64>>,
@@ -53,6 +61,51 @@ pub struct ExteriorOptions {
     pub toward: Option<Point>,
 }
 
+#[wasm_bindgen(typescript_custom_section)]
+const TYPESCRIPT: &str = r"
+/** An edge of a boundary: one of `line`, `arc` and `bezier`. */
+export interface EdgeOptions {
+    /** A straight edge, by its two ends. */
+    line?: [Point, Point];
+    /** Part of a circle or an ellipse. */
+    arc?: ArcOptions;
+    /** A quadratic Bézier curve by its three control points, or a cubic one by four. */
+    bezier?: Point[];
+}
+
+/** Part of a circle or an ellipse: center + turned by `rotation` (r₀ cos φ, r₁ sin φ), φ from `start` to `start` + `sweep`. */
+export interface ArcOptions {
+    /** The middle of the circle or ellipse. */
+    center: Point;
+    /** The radii r₀ and r₁ along the axes of the ellipse, both the same for a circle. */
+    radii: [along: number, across: number];
+    /** Angle from the x axis to the first axis of the ellipse, counter-clockwise, in radians; 0 by default. */
+    rotation?: number;
+    /** The angle φ where the arc starts, in radians. */
+    start: number;
+    /** How far φ runs from there, in radians: counter-clockwise if positive. */
+    sweep: number;
+}
+";
+
+/// What `Region.parseShape` finds: paths in plane coordinates, y up, as `new Region({ path })` takes them.
+#[derive(Debug, Serialize, Tsify)]
+pub struct Shape {
+    /// The outline.
+    pub path: String,
+    /// The holes in it.
+    pub holes: Vec<String>,
+}
+
+/// How the text of a shape is to be understood.
+#[derive(Debug, Default, Deserialize, Tsify)]
+#[serde(default)]
+pub struct ShapeOptions {
+    /// Plane units per unit of the text, 1 by default.
+    #[tsify(optional)]
+    pub scale: Option<f64>,
+}
+
 /// How the text of an outline is to be understood.
 #[derive(Debug, Default, Deserialize, Tsify)]
 #[serde(default)]
@@ -81,21 +134,38 @@ enum Kind {
 impl Region {
     /// Checks the boundary and puts it in counter-clockwise order.
     ///
-    /// Throws "not-finite", "too-few-vertices", "self-intersecting", "center-outside" or "invalid-option"; of holes "holes-meet"
-    /// or "hole-outside", and the message names which.
+    /// Throws "not-finite", "too-few-vertices", "self-intersecting", "center-outside" or "invalid-option"; of `path` and `edges`
+    /// "invalid-outline" or "cusp"; of holes "holes-meet" or "hole-outside", and the message names which.
     #[wasm_bindgen(constructor)]
     pub fn new(options: Ts<RegionOptions>) -> Result<Self, Failure> {
-        let RegionOptions { boundary, curve, holes, center, toward } = options::read(&options)?;
+        let RegionOptions { boundary, curve, path, edges, holes, center, toward } = options::read(&options)?;
+        let drawn = match (boundary, path, edges) {
+            (Some(boundary), None, None) => Drawn::Points(points::from_flat("The boundary", &boundary)?),
+            (None, Some(path), None) => Drawn::Edges(plane::parse_path(&path)?),
+            (None, None, Some(edges)) => Drawn::Edges(edges_of(&edges)?),
+            _ => {
+                let message = "A region needs its boundary in one of the options \"boundary\", \"path\" and \"edges\".";
+                return Err(Failure::option("boundary", message));
+            }
+        };
         if holes.is_empty() {
             let given = |point: Option<Point>, name: &str| {
                 point.ok_or_else(|| Failure::option(name, &format!("The option \"{name}\" is missing.")))
             };
-            let (center, toward) = (given(center, "center")?, given(toward, "toward")?);
-            let boundary = points::from_flat("The boundary", &boundary)?;
-            return Ok(Self(Kind::Simple(plane::Region::new(&boundary, curve, center.into(), toward.into())?)));
+            let (center, toward) = (given(center, "center")?.into(), given(toward, "toward")?.into());
+            return Ok(Self(Kind::Simple(match drawn {
+                Drawn::Points(points) => plane::Region::new(&points, curve.unwrap_or_default(), center, toward)?,
+                Drawn::Edges(edges) => {
+                    if curve.is_some() {
+                        return Err(not_with_edges("curve"));
+                    }
+                    plane::Region::from_edges(&edges, center, toward)?
+                }
+            })));
         }
-        let boundary = points::from_flat("The boundary", &boundary)?;
-        Ok(Self(Kind::Domain(directed(Domain::new(&boundary, &outlines(&holes)?, curve)?, center, toward)?)))
+        let Drawn::Points(boundary) = drawn else { return Err(not_with_edges("holes")) };
+        let domain = Domain::new(&boundary, &outlines(&holes)?, curve.unwrap_or_default())?;
+        Ok(Self(Kind::Domain(directed(domain, center, toward)?)))
     }
 
     /// The unbounded region outside one or more bodies.
@@ -117,12 +187,35 @@ impl Region {
         Ok(points::to_flat(&vertices))
     }
 
-    /// The boundary points `[x0, y0, x1, y1, …]`, counter-clockwise; none of the outside of bodies.
+    /// Text → an outline and its holes, with every curve kept as it is: the data of an SVG path, or an SVG file with its basic
+    /// shapes, transforms and units, y turned over; or JSON, `[[x, y], …]`. The largest curve is the outline.
+    ///
+    /// Throws "invalid-outline", also for curves outside of the largest, which it counts, or "invalid-option".
+    #[wasm_bindgen(js_name = parseShape)]
+    pub fn parse_shape(text: &str, options: Option<Ts<ShapeOptions>>) -> Result<Ts<Shape>, Failure> {
+        let ShapeOptions { scale } = options::read_or_default(options.as_ref())?;
+        let plane::Shape { outline, holes } = plane::parse_shape(text, scale.unwrap_or(1.0))?;
+        let holes = holes.iter().map(|hole| plane::path_data(hole)).collect();
+        options::write(&Shape { path: plane::path_data(&outline), holes })
+    }
+
+    /// The boundary points `[x0, y0, x1, y1, …]`, counter-clockwise; none of the outside of bodies. Of `path` and `edges`, those
+    /// of a polygon that looks the same: it leaves the curves by less than a hundredth of a pixel where they fill 4096.
     #[wasm_bindgen(getter)]
     pub fn boundary(&self) -> Vec<f64> {
         match &self.0 {
             Kind::Simple(region) => points::to_flat(region.boundary()),
             Kind::Domain(domain) => points::to_flat(domain.boundary().unwrap_or_default()),
+        }
+    }
+
+    /// The edges of a boundary that was given by `path` or `edges`, as a path in plane coordinates, y up, counter-clockwise;
+    /// undefined for others.
+    #[wasm_bindgen(getter)]
+    pub fn path(&self) -> Option<String> {
+        match &self.0 {
+            Kind::Simple(region) => region.curved().map(|outline| plane::path_data(outline.edges())),
+            Kind::Domain(_) => None,
         }
     }
 
@@ -195,6 +288,61 @@ impl Region {
             Kind::Domain(domain) => domain.clone(),
         }
     }
+}
+
+enum Drawn {
+    Points(Vec<Complex64>),
+    Edges(Vec<Edge>),
+}
+
+fn not_with_edges(option: &str) -> Failure {
+    let message = format!("The option \"{option}\" goes with \"boundary\" alone: not with \"path\" or \"edges\".");
+    Failure::option(option, &message)
+}
+
+/// The edges as options hold them: `EdgeOptions[]`.
+///
+/// # Errors
+/// "invalid-option" for one that is none or several of a line, an arc and a Bézier curve.
+fn edges_of(edges: &JsValue) -> Result<Vec<Edge>, Failure> {
+    Array::from(edges).iter().enumerate().map(|(k, edge)| edge_of(k, &edge)).collect()
+}
+
+fn edge_of(k: usize, edge: &JsValue) -> Result<Edge, Failure> {
+    let [line, arc, bezier] = ["line", "arc", "bezier"].map(|kind| property(edge, kind));
+    let reason = match (&points_of(&line)[..], arc.is_undefined(), &points_of(&bezier)[..]) {
+        (&[from, to], true, []) => return Ok(Edge::line(from, to)),
+        ([], false, []) => return Ok(arc_of(&arc)),
+        ([], true, &[a, b, c]) => return Ok(Edge::Quadratic([a, b, c])),
+        ([], true, &[a, b, c, d]) => return Ok(Edge::Cubic([a, b, c, d])),
+        ([], true, [_, ..]) => "a Bézier curve has 3 or 4 control points",
+        _ => "an edge is one of line, arc and bezier",
+    };
+    let name = format!("edges[{k}]");
+    Err(Failure::option(&name, &format!("The option \"{name}\" cannot be used: {reason}.")))
+}
+
+fn arc_of(arc: &JsValue) -> Edge {
+    let number = |name: &str| property(arc, name).as_f64();
+    let [center, radii] = ["center", "radii"].map(|name| point_of(&property(arc, name)));
+    let turn = Complex64::cis(number("rotation").unwrap_or(0.0));
+    let (cosine, sine) = (turn * radii.re, turn * Complex64::new(0.0, radii.im));
+    let [start, sweep] = ["start", "sweep"].map(|name| number(name).unwrap_or(f64::NAN));
+    Edge::Arc(EllipticArc::new(center, cosine, sine, start, sweep))
+}
+
+fn property(object: &JsValue, name: &str) -> JsValue {
+    Reflect::get(object, &name.into()).unwrap_or(JsValue::UNDEFINED)
+}
+
+fn points_of(value: &JsValue) -> Vec<Complex64> {
+    if value.is_undefined() { Vec::new() } else { Array::from(value).iter().map(|point| point_of(&point)).collect() }
+}
+
+/// A point, not a finite one if it is anything else.
+fn point_of(value: &JsValue) -> Complex64 {
+    let [x, y] = [0, 1].map(|k| Reflect::get_u32(value, k).ok().and_then(|x| x.as_f64()).unwrap_or(f64::NAN));
+    Complex64::new(x, y)
 }
 
 /// The outlines of holes.

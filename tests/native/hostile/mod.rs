@@ -2,6 +2,7 @@
 //! `npm run test:hostile` twenty times as much, with its figures: those of docs/RELIABILITY.md.
 
 mod estimate;
+mod icons;
 mod long;
 mod metamorphic;
 mod outlines;
