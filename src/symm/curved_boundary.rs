@@ -16,6 +16,10 @@ pub struct Arm {
     pub outgoing: bool,
     /// The exponent of the corner variable.
     pub exponent: f64,
+    /// θ − θ(corner) begins with this power of the parameter.
+    pub power: f64,
+    /// Whether the parameter stands still at the corner, z going like its square.
+    pub slow: bool,
 }
 
 /// The scaled boundary. Arm 2k is the first half of edge k, arm 2k + 1 the second.
@@ -25,7 +29,6 @@ pub struct CurvedBoundary {
     pub vertices: Vec<Complex64>,
     /// Two for each edge.
     pub arms: Vec<Arm>,
-    alpha: Vec<f64>,
     /// Power of two: plane units × `unit` = units used here.
     pub unit: f64,
     /// Whether the outline is one closed edge, whose halves are two here: no arm ends where it starts.
@@ -45,8 +48,6 @@ pub struct CurvedTarget {
     pub offset: Complex64,
 }
 
-/// The first panel at a corner takes this share of its edge.
-const FIRST: f64 = 0.25;
 /// |z''/z'| times half a panel's parameter range is at most this: its curve is nearly straight, and no other point of the edge's
 /// continuation meets a target near it.
 pub const TAME: f64 = 0.25;
@@ -75,10 +76,13 @@ impl CurvedBoundary {
         let is_straight = |k: usize| matches!(edges[k], Edge::Line { .. });
         for (k, edge) in edges.iter().enumerate() {
             for (corner, outgoing) in [(k, true), ((k + 1) % n, false)] {
-                let straight = is_straight(corner) && is_straight((corner + n - 1) % n);
-                let exponent = exponent(alpha[corner], straight);
                 let curve = if outgoing { *edge } else { edge.reversed() };
-                arms.push(Arm { curve, corner, edge: k, outgoing, exponent });
+                let slow = curve.starts_slowly();
+                let straight = is_straight(corner) && is_straight((corner + n - 1) % n);
+                // There the parameter is about the square root of the distance.
+                let alpha = if slow { 0.5 * alpha[corner] } else { alpha[corner] };
+                let exponent = exponent(alpha, straight);
+                arms.push(Arm { curve, corner, edge: k, outgoing, exponent, power: alpha.recip(), slow });
             }
         }
         let chord = |edge: &Edge| {
@@ -86,7 +90,7 @@ impl CurvedBoundary {
             (0..CHORDS).map(move |j| edge.point(j as f64 / CHORDS as f64))
         };
         let chords = Polygon::new(&edges.iter().flat_map(chord).collect::<Vec<_>>()).ok();
-        Self { vertices, arms, alpha, unit, chords, halves }
+        Self { vertices, arms, unit, chords, halves }
     }
 
     /// Edge and parameter of the outline → of the edges here.
@@ -117,10 +121,18 @@ impl CurvedBoundary {
         self.vertices.len()
     }
 
-    /// Interior angle at a vertex, divided by π.
+    /// An edge that stands still so long where it starts or ends that no square root tells its parameter.
     #[must_use]
-    pub fn alpha(&self, corner: usize) -> f64 {
-        self.alpha[corner]
+    pub fn halted(&self) -> Option<usize> {
+        let stands =
+            |arm: &&Arm| arm.slow && arm.curve.bend(Complex64::ZERO).norm() <= arm.curve.bend(1.0.into()).norm() * 1e-9;
+        self.arms.iter().find(stands).map(|arm| if self.halves { 0 } else { arm.edge })
+    }
+
+    /// Whether a panel lies where the parameter stands still.
+    #[must_use]
+    pub fn is_slow(&self, panel: &Panel) -> bool {
+        panel.start == 0.0 && self.arm(panel).slow
     }
 
     /// The arm that a panel lies on.
@@ -171,7 +183,8 @@ impl CurvedBoundary {
             let s = Complex64::from(panel.start + share * panel.length());
             curve.bend(s).norm() / curve.tangent(s).norm()
         };
-        0.5 * panel.length() * [0.0, 0.25, 0.5, 0.75, 1.0].map(at).into_iter().fold(0.0, f64::max)
+        let first = if self.is_slow(panel) { 2 } else { 0 };
+        0.5 * panel.length() * [0.0, 0.25, 0.5, 0.75, 1.0][first..].iter().map(|share| at(*share)).fold(0.0, f64::max)
     }
 
     /// Distance of a point (scaled units) from a panel, by samples.
@@ -211,10 +224,11 @@ impl CurvedBoundary {
     pub fn initial_panels(&self, center: Complex64) -> Vec<Panel> {
         let mut panels = Vec::new();
         for arm in &self.arms {
-            let (first, second) = (self.panel(arm, 0.0, FIRST), self.panel(arm, FIRST, 0.5));
-            panels.extend(if arm.outgoing { [first, second] } else { [second, first] });
+            panels.push(self.panel(arm, 0.0, 0.5));
         }
-        let wild = |panel: &Panel| self.bend(panel) > TAME || self.length(panel) > self.distance(panel, center);
+        let wild = |panel: &Panel| {
+            !self.is_slow(panel) && self.bend(panel) > TAME || self.length(panel) > self.distance(panel, center)
+        };
         self.balanced(split_where(panels, &wild))
     }
 
@@ -262,5 +276,6 @@ fn exponent(alpha: f64, straight: bool) -> f64 {
         let a = if alpha > 1.0 { alpha } else { alpha * (1.0 / alpha + 1e-9).floor() };
         return if (a - 1.0).abs() < 1e-9 { 1.0 } else { a };
     }
-    alpha * (SMOOTH_POWER / (1.0 + alpha)).ceil()
+    // In a spike nodes are not crowded towards its mouth.
+    alpha * (SMOOTH_POWER / (1.0 + alpha)).ceil().max((1.0 / alpha + 1e-9).floor())
 }

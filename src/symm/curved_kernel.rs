@@ -19,6 +19,8 @@ pub struct CurvedPanel {
     curve: Edge,
     /// How far it is from straight.
     bend: f64,
+    /// Whether the parameter stands still where it starts.
+    slow: bool,
     middle: Complex64,
     /// Size of half of it.
     half: f64,
@@ -60,6 +62,7 @@ impl CurvedPanel {
             panel: *panel,
             curve,
             bend: boundary.bend(panel),
+            slow: boundary.is_slow(panel),
             middle: curve.from_start(middle),
             half: curve.tangent(middle).norm() * 0.5 * panel.length(),
             points: vec![Complex64::ZERO; rule.block_count() * m],
@@ -121,7 +124,11 @@ impl CurvedPanel {
     #[must_use]
     pub fn parameter_of(&self, step: Complex64) -> Option<Complex64> {
         let middle = Complex64::from(0.5 * (self.panel.start + self.panel.end));
-        let guess = middle + (step - self.middle) / self.curve.tangent(middle);
+        let guess = if self.slow {
+            (2.0 * step / self.curve.bend(Complex64::ZERO)).sqrt()
+        } else {
+            middle + (step - self.middle) / self.curve.tangent(middle)
+        };
         self.curve.preimage_from_start(step, guess)
     }
 

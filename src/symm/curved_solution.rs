@@ -424,7 +424,7 @@ impl CurvedSolution {
             let step = if panel.outgoing { measure - corner } else { corner - measure };
             let size = step.norm();
             if size > 0.0 && size < self.starts[q + 1] - self.starts[q] {
-                let power = panel.exponent / self.discretisation.boundary.alpha(panel.corner);
+                let power = panel.exponent * self.discretisation.boundary.arm(panel).power;
                 let real = self.tau_of(q, if panel.outgoing { corner + size } else { corner - size });
                 tau = Complex64::from_polar(real, step.arg() / power);
             }

@@ -30,7 +30,8 @@ const MOST_ROUNDS: usize = 60;
 /// Solves for `center` (plane units), halving panels until the estimate meets the tolerance.
 ///
 /// # Errors
-/// [`Error::InvalidOption`], [`Error::Cancelled`]; [`Error::NegativeMass`] or [`Error::Inaccurate`] if even the most unknowns
+/// [`Error::InvalidOption`], [`Error::Cancelled`]; [`Error::InvalidOutline`] for an edge of which all control points but one
+/// are one; [`Error::NegativeMass`] or [`Error::Inaccurate`] if even the most unknowns
 /// allowed do not resolve the boundary.
 pub fn solve_curved(
     outline: &CurvedOutline,
@@ -40,6 +41,10 @@ pub fn solve_curved(
 ) -> Result<CurvedSolution> {
     options.validate()?;
     let boundary = Arc::new(CurvedBoundary::new(outline));
+    if let Some(edge) = boundary.halted() {
+        let reason = format!("edge {edge} stands still at an end: all but one of its control points are one there");
+        return Err(Error::InvalidOutline { reason });
+    }
     let center = center * boundary.unit;
     let mut panels = boundary.initial_panels(center);
     let most = options.max_unknowns.min(MOST_UNKNOWNS);

@@ -72,6 +72,9 @@ fn conformal_radii_of_regions_of_arcs() {
         let share = 0.1 * f64::from(tenths);
         cases.push((format!("lens of {share:.1} π"), lens(share * PI).to_vec(), ORIGIN, share));
     }
+    for share in [0.03, 1.97] {
+        cases.push((format!("lens of {share} π"), lens(share * PI).to_vec(), ORIGIN, share));
+    }
     let tiles = [
         (4, 5, 0.281_976_783_418_340_95),
         (4, 6, 0.347_204_318_714_071_02),
@@ -220,6 +223,26 @@ fn straight_edges_are_a_polygon() {
     let (a, b) = (map.to_disk(&points), reference.to_disk(&points));
     let error = largest(a.iter().zip(&b).map(|(a, b)| (a * turn(&map) - b * turn(&reference)).norm()));
     assert!(error < 1e-12 && error <= map.error_estimate() + reference.error_estimate(), "{error:e}");
+}
+
+/// Control points that coincide make the parameter stand still at an end; the curve does not care.
+#[test]
+fn parameters_may_stand_still() {
+    let v = [c(-1.0, -1.0), c(1.0, -1.0), c(1.0, 1.0), c(-1.0, 1.0)];
+    let edges = [
+        Edge::Cubic([v[0], v[0], v[1], v[1]]),
+        Edge::Quadratic([v[1], v[1], v[2]]),
+        Edge::Cubic([v[2], v[2], c(0.5, 1.0), v[3]]),
+        Edge::line(v[3], v[0]),
+    ];
+    let (map, square) = (solve(&region(&edges, ORIGIN), 1e-12), solve(&polygon(&v, ORIGIN), 1e-13));
+    let points = spread_points(square.region(), 100);
+    let (a, b) = (map.to_disk(&points), square.to_disk(&points));
+    let error = largest(a.iter().zip(&b).map(|(a, b)| (a - b).norm()));
+    assert!(error < 1e-12 && error <= map.error_estimate() + square.error_estimate(), "{error:e}");
+    let edges = [Edge::Cubic([v[0], v[0], v[0], v[1]]), edges[1], edges[2], edges[3]];
+    let error = RiemannMap::solve(&region(&edges, ORIGIN), &SolveOptions::default(), &mut |_, _| true).unwrap_err();
+    assert!(error.code() == "invalid-outline" && error.to_string().contains("edge 0"), "{error}");
 }
 
 /// A letter "a" of sorts: lines, cubic and quadratic curves, smooth joins, sharp and re-entrant corners.
