@@ -15,7 +15,7 @@ use super::panel::{Boundary, Panel, halved_towards};
 use super::potential::LogPotential;
 use super::rule::Rules;
 use super::solution::{ERROR_PER_RESIDUAL, Solution};
-use super::solve::seen_from;
+use super::solve::{Effort, seen_from};
 use super::system::System;
 use crate::Result;
 use crate::plane::Complex64;
@@ -87,22 +87,24 @@ pub fn solve_far(
     let sights: Vec<Sight> = (0..near.discretisation.panels.len()).map(|q| sight(near, q, w)).collect();
     let mut far = Far { near, center, sights, tolerance: options.tolerance, reach: 0.0, away: 0.0 };
     (far.reach, far.away) = (far.first_reach(), far.first_away(w));
+    let mut tried = Vec::new();
     for _ in 0..MOST_ATTEMPTS {
         let panels = far.panels(&first.discretisation.panels, &far.roles(w));
-        let all_solved = panels.iter().all(|(_, role)| *role == Role::Solved);
-        if !panels.iter().any(|(_, role)| *role == Role::Solved) {
-            (far.reach, far.away) = (FARTHER * far.reach, FARTHER * far.away);
-            continue;
-        }
-        let found = far.solve(&panels, options, progress)?;
-        if all_solved || found.0.estimate <= options.tolerance && !far.overlooks(&panels, &found) {
-            return Ok(found);
+        // Going farther need not change anything.
+        if panels != tried && panels.iter().any(|(_, role)| *role == Role::Solved) {
+            let all_solved = panels.iter().all(|(_, role)| *role == Role::Solved);
+            let effort = if all_solved { Effort::Whole } else { Effort::Trial };
+            let found = far.solve(&panels, (options, effort), progress)?;
+            if all_solved || found.0.estimate <= options.tolerance && !far.overlooks(&panels, &found) {
+                return Ok(found);
+            }
+            tried = panels;
         }
         far.reach *= FARTHER;
         far.away *= FARTHER;
     }
     (far.reach, far.away) = (f64::INFINITY, f64::INFINITY);
-    far.solve(&far.panels(&first.discretisation.panels, &far.roles(w)), options, progress)
+    far.solve(&far.panels(&first.discretisation.panels, &far.roles(w)), (options, Effort::Whole), progress)
 }
 
 struct Far<'a> {
@@ -230,7 +232,7 @@ impl Far<'_> {
     fn solve(
         &self,
         panels: &[(Panel, Role)],
-        options: &SolveOptions,
+        (options, effort): (&SolveOptions, Effort),
         progress: Progress,
     ) -> Result<(Measure, LocalSeries)> {
         let boundary = self.boundary();
@@ -250,7 +252,7 @@ impl Far<'_> {
         let most = MOST_GROWTH * discretisation.unknowns() + LEAST_UNKNOWNS;
         let options = SolveOptions { max_unknowns: most.min(options.max_unknowns), ..options.clone() };
         let system = Arc::new(System::new(discretisation, progress)?.with_known(&known));
-        let solution = seen_from(self.center, system, rules.clone(), None, &options, progress)?;
+        let solution = seen_from(self.center, system, rules.clone(), None, (&options, effort), progress)?;
         Ok(self.merged(panels, &solution, &mut rules))
     }
 

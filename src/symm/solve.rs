@@ -29,6 +29,9 @@ const ITERATION_SHARE: f64 = 1e-3;
 const STAGNATION_BELOW: f64 = 1e-10;
 /// That share.
 const STAGNATION_SHARE: f64 = 0.9;
+/// A trial is given up where a round leaves more than this share of the estimate (measured: where it can be met, a round leaves a
+/// fifth).
+const TRIAL_SHARE: f64 = 0.5;
 /// While panels are still being halved, the systems are solved to this share of the acceptable residual, less where thin walls
 /// make it weigh more.
 const ROUGH_SHARE: f64 = 0.05;
@@ -37,6 +40,15 @@ const KAPPA: f64 = 1.0;
 /// Panels are no longer than this times their distance from the center: there the density is Poisson's kernel, whatever the
 /// region.
 const FACING: f64 = 1.0;
+
+/// How long a solve goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Effort {
+    /// As long as anything helps.
+    Whole,
+    /// As long as every round helps a lot: what was taken for known may not fit.
+    Trial,
+}
 
 /// Solves Symm's equation for `region`, refining until the error estimate meets the tolerance.
 ///
@@ -50,7 +62,7 @@ pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Res
     let mut rules = Rules::new(order_for(options, panels.len())?);
     let discretisation = Discretisation::new(boundary, panels, &mut rules);
     let system = Arc::new(System::new(discretisation, progress)?);
-    seen_from(center, system, rules, None, options, progress)
+    seen_from(center, system, rules, None, (options, Effort::Whole), progress)
 }
 
 /// The same region for another `center` (plane units), refining the panels where they are too coarse for it.
@@ -71,12 +83,12 @@ pub fn solve_again(
     let facing = halved_towards(center, FACING, boundary, discretisation.panels.clone());
     if facing.len() == discretisation.panels.len() {
         let guess = moved_measure(previous, center);
-        return seen_from(center, previous.system(progress)?, rules, Some(guess), options, progress);
+        return seen_from(center, previous.system(progress)?, rules, Some(guess), (options, Effort::Whole), progress);
     }
     // Much nearer to the boundary: residuals would halve panels once a round.
     let discretisation = Discretisation::new(Arc::clone(boundary), facing, &mut rules);
     let system = Arc::new(System::new(discretisation, progress)?);
-    seen_from(center, system, rules, None, options, progress)
+    seen_from(center, system, rules, None, (options, Effort::Whole), progress)
 }
 
 /// Solves problems for `domain`, all on the same panels, refining until the estimate meets the tolerance for each. `problems`
@@ -101,7 +113,7 @@ pub fn solve_problems(
     }
     let mut rules = Rules::new(order_for(options, panels.len())?);
     let system = Arc::new(System::new(Discretisation::new(boundary, panels, &mut rules), progress)?);
-    adapt(system, rules, problems, None, options, progress)
+    adapt(system, rules, problems, None, (options, Effort::Whole), progress)
 }
 
 /// Harmonic measure seen from `center`, refined until the estimate meets the tolerance.
@@ -110,13 +122,13 @@ pub(super) fn seen_from(
     system: Arc<System>,
     rules: Rules,
     guess: Option<Vec<f64>>,
-    options: &SolveOptions,
+    ask: (&SolveOptions, Effort),
     progress: Progress,
 ) -> Result<Solution> {
     let problem = Problem::measure(&system.discretisation.boundary, center);
     let guesses = guess.map(|guess| vec![guess]);
     let Adapted { system, mut outcomes, error_estimate, stop, .. } =
-        adapt(system, rules, vec![problem], guesses, options, progress)?;
+        adapt(system, rules, vec![problem], guesses, ask, progress)?;
     finish(system, center, outcomes.swap_remove(0), error_estimate, stop)
 }
 
@@ -141,7 +153,7 @@ fn adapt(
     mut rules: Rules,
     problems: Vec<Problem>,
     mut guesses: Option<Vec<Vec<f64>>>,
-    options: &SolveOptions,
+    (options, effort): (&SolveOptions, Effort),
     progress: Progress,
 ) -> Result<Adapted> {
     let acceptable = options.tolerance / ERROR_PER_RESIDUAL;
@@ -166,6 +178,7 @@ fn adapt(
                 || panels.len() == system.discretisation.panels.len()
                 || panels.len() * rules.order.p() > options.max_unknowns
                 || estimate > STAGNATION_SHARE * previous_estimate && residual < STAGNATION_BELOW
+                || estimate > TRIAL_SHARE * previous_estimate && effort == Effort::Trial
         };
         if ends(&outcomes, &refinement.panels) {
             let guesses = outcomes.into_iter().map(|outcome| outcome.masses).collect();

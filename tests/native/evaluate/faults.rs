@@ -182,3 +182,23 @@ fn corridors_longer_than_their_charts_come_back() {
         assert!(back.iter().all(|z| z.re.is_finite() && z.im.is_finite()));
     }
 }
+
+/// Nine teeth, each of which is far from the others: charts were tried, again and again, on parts that could not do.
+#[test]
+fn the_teeth_of_a_comb_come_back() {
+    let tooth = |k: u32| {
+        let x = 2.0 * f64::from(k);
+        let gap = [[x, 1.0], [x - 1.0, 1.0]];
+        [[x + 1.0, 5.0], [x, 5.0]].into_iter().chain(gap.into_iter().take(if k > 0 { 2 } else { 0 }))
+    };
+    let vertices: Vec<_> = [[0.0, 0.0], [17.0, 0.0]].into_iter().chain((0..9).rev().flat_map(tooth)).collect();
+    let comb = region(&vertices, [8.0, 0.5], [0.0, 0.0]);
+    let map = solve(&comb, 1e-6);
+    let in_tooth =
+        |k: u32| c(2.0 * f64::from(k % 9) + share(k as usize, 0.618_034), 5.0 * share(k as usize, 0.754_878));
+    let z: Vec<Complex64> = (0..2000).map(in_tooth).filter(|z| comb.contains(*z)).collect();
+    assert!(z.len() > 1900, "{}", z.len());
+    let back = map.from_disk_points(&map.to_disk_points(&z));
+    let worst = largest(z.iter().zip(&back).map(|(z, back)| (z - back).norm()));
+    assert!(worst <= 1e-5, "{worst:e}");
+}
