@@ -341,7 +341,7 @@ fn part(hole: Option<usize>) -> String {
 
 fn capital(text: &str) -> String {
     let (first, rest) = text.split_at(text.len().min(1));
-    first.to_uppercase() + rest
+    first.to_ascii_uppercase() + rest
 }
 
 /// A point for reading, to seven digits of its larger coordinate.

@@ -82,7 +82,11 @@ pub(super) fn boundary_edges(triangles: &[[u32; 3]]) -> Result<BTreeMap<u32, u32
     let ends_of = |k: u32| &ends[first[k as usize]..first[k as usize + 1]];
     let boundary: Vec<_> =
         triangles.iter().flat_map(|&t| edges(t)).filter(|&(a, b)| !ends_of(b).contains(&a)).collect();
-    let next: BTreeMap<_, _> = boundary.iter().copied().collect();
+    // Not collected: that would compile one more sort.
+    let mut next = BTreeMap::new();
+    for &(from, to) in &boundary {
+        next.insert(from, to);
+    }
     if next.len() == boundary.len() { Ok(next) } else { invalid("its boundary touches itself at a node".to_string()) }
 }
 

@@ -105,6 +105,6 @@ fn camel_case(name: &str) -> String {
     let first = words.next().unwrap_or_default().to_string();
     words.fold(first, |text, word| {
         let (initial, rest) = word.split_at(word.len().min(1));
-        text + &initial.to_uppercase() + rest
+        text + &initial.to_ascii_uppercase() + rest
     })
 }

@@ -100,12 +100,55 @@ pub fn read<T: Tsify + DeserializeOwned>(given: &Ts<T>) -> Result<T, Failure> {
         return Err(Failure::option("", &format!("Options must be an object; its keys can be {known}.")));
     }
     refuse_unknown::<T>(&value)?;
-    serde_path_to_error::deserialize(serde_wasm_bindgen::Deserializer::from(value)).map_err(|error| {
-        let path = error.path().to_string();
-        let reason = error.inner().to_string();
-        let reason = reason.strip_prefix("Error: ").unwrap_or(&reason);
-        describe(&path, reason)
+    let attempt = |value: &JsValue| T::deserialize(serde_wasm_bindgen::Deserializer::from(value.clone()));
+    attempt(&value).map_err(|error| {
+        let reason = |error: serde_wasm_bindgen::Error| {
+            let reason = error.to_string();
+            reason.strip_prefix("Error: ").map(str::to_string).unwrap_or(reason)
+        };
+        let reason_now = reason(error);
+        let path = culprit(&value, &reason_now, &|value| attempt(value).err().map(reason));
+        describe(&path, &reason_now)
     })
+}
+
+/// The path of what fails for a reason: without it there is another reason, or none.
+fn culprit(value: &JsValue, reason: &str, failure: &dyn Fn(&JsValue) -> Option<String>) -> String {
+    let is_missing = missing(reason).is_some_and(|name| !js_sys::Reflect::has(value, &name.into()).unwrap_or(false));
+    if !value.is_object() || is_missing {
+        return String::new();
+    }
+    let is_array = Array::is_array(value);
+    for key in Object::keys(value.unchecked_ref::<Object>()).iter() {
+        let with = |inner: &JsValue| {
+            let copy: JsValue = if is_array {
+                Array::from(value).into()
+            } else {
+                Object::assign(&Object::new(), value.unchecked_ref()).into()
+            };
+            // A fresh object of its own takes any key.
+            let _ = js_sys::Reflect::set(&copy, &key, inner);
+            copy
+        };
+        let without = with(&JsValue::UNDEFINED);
+        if !is_array {
+            let _ = js_sys::Reflect::delete_property(without.unchecked_ref::<Object>(), &key);
+        }
+        if failure(&without).as_deref() == Some(reason) {
+            continue;
+        }
+        let inner = js_sys::Reflect::get(value, &key).unwrap_or(JsValue::UNDEFINED);
+        let rest = culprit(&inner, reason, &|inner| failure(&with(inner)));
+        let key = key.as_string().unwrap_or_default();
+        let step = if is_array { format!("[{key}]") } else { key };
+        return if rest.is_empty() || rest.starts_with('[') { step + &rest } else { format!("{step}.{rest}") };
+    }
+    String::new()
+}
+
+/// The field that a reason says is missing.
+fn missing(reason: &str) -> Option<&str> {
+    reason.strip_prefix("missing field `").and_then(|rest| rest.strip_suffix('`'))
 }
 
 /// As [`read`], or the defaults where no options are given.
@@ -146,8 +189,8 @@ fn refuse_unknown<T: DeserializeOwned>(value: &JsValue) -> Result<(), Failure> {
 }
 
 fn describe(path: &str, reason: &str) -> Failure {
-    if let Some(name) = reason.strip_prefix("missing field `").and_then(|rest| rest.strip_suffix('`')) {
-        let path = if path == "." { name.to_string() } else { format!("{path}.{name}") };
+    if let Some(name) = missing(reason) {
+        let path = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
         return Failure::option(&path, &format!("The option \"{path}\" is missing."));
     }
     let reason = KINDS.iter().fold(reason.to_string(), |text, (rust, words)| text.replace(rust, words));

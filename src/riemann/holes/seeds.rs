@@ -92,7 +92,7 @@ impl Seeds {
             }
             last = found.len() >= count;
         }
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut found, |found| found.0);
         found.dedup_by_key(|(_, index)| *index);
         found.truncate(count);
         found.into_iter().map(|(_, index)| self.pairs[index as usize]).collect()
