@@ -76,7 +76,11 @@ impl From<&presets::Preset> for Preset {
             title: preset.title,
             shows: preset.shows,
             formula: preset.formula,
-            params: preset.params.iter().map(|&(name, value)| (name, pair(value))).collect(),
+            // Not collected: that would compile one more sort.
+            params: preset.params.iter().fold(BTreeMap::new(), |mut params, &(name, value)| {
+                params.insert(name, pair(value));
+                params
+            }),
             direction: preset.direction,
             texture: preset.texture.into(),
             view: preset.view.into(),
