@@ -1,5 +1,6 @@
 //! A solved boundary of analytic edges: θ along it, and the map region → disk inside.
 
+use super::curved_cauchy::{self, CauchyPart, Sample, Sampled};
 use super::curved_kernel::CurvedPanel;
 use super::curved_system::CurvedDiscretisation;
 use super::legendre::{MAX_NODES, legendre};
@@ -9,6 +10,7 @@ use super::panel::Panel;
 use crate::plane::Complex64;
 use crate::{Error, Result};
 use std::f64::consts::TAU;
+use std::sync::OnceLock;
 
 /// A solved equation, with its evidence.
 #[derive(Clone, Debug)]
@@ -24,8 +26,8 @@ pub struct CurvedSolution {
     coefficients: Vec<f64>,
     /// Measure from vertex 0 to where each panel begins, and the whole.
     starts: Vec<f64>,
-    /// The nodes' points, their images on the circle, and their masses.
-    circle: Vec<(Complex64, Complex64, f64)>,
+    /// For Cauchy's formula; made when first asked for.
+    parts: OnceLock<Vec<CauchyPart>>,
     smallest_mass: (f64, usize),
     /// Largest violation of the equation where it was not imposed.
     pub residual: f64,
@@ -52,6 +54,8 @@ struct Beside {
 
 /// Maps with estimates above this are none.
 const WORST_ESTIMATE: f64 = 1.0;
+/// Cauchy's formula is trusted where it gives the constant 1 so well.
+const WHOLE: f64 = 1e-12;
 /// A panel's density goes on so far beyond it: Bernstein's ρ.
 const CONTINUED: f64 = 1.1;
 /// The same for the way back.
@@ -90,33 +94,23 @@ impl CurvedSolution {
             starts.push(starts[q] + mass.max(0.0));
             charges.push(discretisation.rules[q].charges(&own));
         }
-        let mut solution = Self {
+        Self {
             discretisation,
             center,
             masses,
             charges,
             coefficients,
             starts,
-            circle: Vec::new(),
+            parts: OnceLock::new(),
             smallest_mass,
             residual,
             error_estimate,
             stop,
-        };
-        solution.circle = solution.nodes_on_circle(total);
-        solution
+        }
     }
 
-    fn nodes_on_circle(&self, total: f64) -> Vec<(Complex64, Complex64, f64)> {
-        let taus = self.discretisation.node_taus();
-        let boundary = &self.discretisation.boundary;
-        let targets = self.discretisation.targets(&taus);
-        let places = targets.iter().zip(&self.masses).enumerate().map(|(i, (target, mass))| {
-            let z = boundary.vertices[boundary.arms[target.arm].corner] + target.offset;
-            let measure = self.complex_measure(i / taus.len(), taus[i % taus.len()].into()).re;
-            (z, Complex64::cis(TAU * measure), mass / total)
-        });
-        places.collect()
+    fn parts(&self) -> &[CauchyPart] {
+        self.parts.get_or_init(|| curved_cauchy::parts(self, self.discretisation.panels.len()))
     }
 
     /// The solution, unless its masses show that it is none.
@@ -334,6 +328,14 @@ impl CurvedSolution {
                 return Some(self.continued(&beside));
             }
         }
+        if let Some((w, slope, one)) = curved_cauchy::to_disk(self, self.parts(), z) {
+            if (one - 1.0).norm() < WHOLE {
+                return Some((w, slope));
+            }
+            if one.norm() < WHOLE {
+                return None;
+            }
+        }
         let (log, slope, turns) = self.potential(z);
         if turns != 1.0 {
             return None;
@@ -400,13 +402,10 @@ impl CurvedSolution {
         if let Some(found) = self.from_disk_beside(w) {
             return Some(found);
         }
-        let (guess, miss) = self.by_cauchy(w);
-        if miss < 0.1
-            && let Some(found) = self.newton(w, guess)
-        {
-            return Some(found);
+        match curved_cauchy::from_disk(self, self.parts(), w) {
+            Some((z, slope, one)) if (one - 1.0).norm() < WHOLE => Some((z, slope.inv())),
+            _ => self.marched(w),
         }
-        self.marched(w)
     }
 
     /// Beside the circle: the complex measure is inverted.
@@ -452,17 +451,6 @@ impl CurvedSolution {
         let arm = self.discretisation.boundary.arm(panel);
         let z = self.discretisation.boundary.vertices[panel.corner] + arm.curve.from_start(s);
         Some((z, w * Complex64::i() * TAU * self.measure_slope(q, s, tau)))
-    }
-
-    /// Cauchy's formula on the circle in barycentric form, and how far it is from exact for the constant 1.
-    fn by_cauchy(&self, w: Complex64) -> (Complex64, f64) {
-        let (mut above, mut below) = (Complex64::ZERO, Complex64::ZERO);
-        for (z, on_circle, mass) in &self.circle {
-            let weight = on_circle / (on_circle - w) * mass;
-            above += z * weight;
-            below += weight;
-        }
-        (above / below, (below - 1.0).norm())
     }
 
     /// Newton's method for f(z) = w, steps halved where they leave the region or do not help.
@@ -519,5 +507,31 @@ impl CurvedSolution {
             }
         }
         None
+    }
+}
+
+impl Sampled for CurvedSolution {
+    fn sample(&self, q: usize, tau: f64, dtau: f64) -> Sample {
+        let panel = self.panel(q);
+        let arm = self.discretisation.boundary.arm(panel);
+        let s = panel.distance_at(tau);
+        let ds = panel.exponent * tau.powf(panel.exponent - 1.0) * panel.length() * dtau;
+        let along = if panel.outgoing { ds } else { -ds };
+        let w = Complex64::cis(TAU * self.complex_measure(q, tau.into()).re);
+        Sample {
+            z: self.discretisation.boundary.vertices[panel.corner] + arm.curve.from_start(s.into()),
+            w,
+            dz: arm.curve.tangent(s.into()) * along / Complex64::new(0.0, TAU),
+            dw: w * self.complex_density(q, tau.into()).re * dtau,
+        }
+    }
+
+    fn exponents(&self, q: usize) -> (f64, f64) {
+        let panel = self.panel(q);
+        let arm = self.discretisation.boundary.arm(panel);
+        let slow = if self.discretisation.boundary.is_slow(panel) { 2.0 } else { 1.0 };
+        let power = if panel.start == 0.0 { panel.exponent * arm.power } else { 1.0 };
+        let exponent = panel.exponent * slow;
+        (exponent, power)
     }
 }

@@ -26,7 +26,7 @@
 //!
 //! [`curved_solve`] does it for boundaries of analytic edges: the parameter of an edge takes the place of arc length
 //! ([`curved_boundary`]), and the panels' rules that of its logarithm ([`curved_kernel`]); [`curved_system`] is dense, and
-//! [`curved_solution`] the answer.
+//! [`curved_solution`] the answer, with [`curved_cauchy`] for many points.
 //!
 //! [`stored`] keeps solutions as bytes.
 //!
@@ -36,6 +36,7 @@ pub(crate) mod center;
 mod clusters;
 pub(crate) mod correspondence;
 mod curved_boundary;
+mod curved_cauchy;
 mod curved_kernel;
 pub(crate) mod curved_solution;
 pub(crate) mod curved_solve;

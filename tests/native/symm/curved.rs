@@ -225,6 +225,21 @@ fn straight_edges_are_a_polygon() {
     assert!(error < 1e-12 && error <= map.error_estimate() + reference.error_estimate(), "{error:e}");
 }
 
+/// Corners of straight edges at angles of no whole share of π, whose variable is a fractional power.
+#[test]
+fn the_way_back_from_a_polygon_of_any_angles() {
+    let corners = [c(0.7, 0.1), c(-0.3, 0.7), c(-0.5, 0.25), c(-0.1, 0.0), c(-0.3, -0.35), c(0.4, -0.5)];
+    let edges: Vec<_> = (0..6).map(|k| Edge::line(corners[k], corners[(k + 1) % 6])).collect();
+    let center = c(0.2, 0.0);
+    let (map, reference) = (solve(&region(&edges, center), 1e-12), solve(&polygon(&corners, center), 1e-13));
+    let points = spread_points(reference.region(), 100);
+    let images = reference.to_disk(&points);
+    let (back, slopes) = (map.from_disk(&images), reference.derivative(&points));
+    let error =
+        largest(back.iter().zip(&points).zip(&slopes).map(|((z, exact), slope)| (z - exact).norm() * slope.norm()));
+    assert!(error < 1e-12 && error <= map.error_estimate() + reference.error_estimate(), "{error:e}");
+}
+
 /// Control points that coincide make the parameter stand still at an end; the curve does not care.
 #[test]
 fn parameters_may_stand_still() {
