@@ -38,7 +38,7 @@ pub(super) fn outline(nodes: usize, triangles: &[[u32; 3]]) -> Vec<OutlineEdge> 
     let mut outline = Vec::new();
     for node in 0..nodes {
         let bucket = &mut sorted[starts[node] as usize..starts[node + 1] as usize];
-        bucket.sort_unstable();
+        sort(bucket);
         for group in bucket.chunk_by(|a, b| a.0 == b.0) {
             let upward = group.partition_point(|edge| !edge.1);
             let (downs, ups) = group.split_at(upward);
@@ -168,6 +168,22 @@ impl Coverage {
     }
 }
 
+/// Sorts the edges of a node: few, but for hubs.
+fn sort(bucket: &mut [(u32, bool, u32)]) {
+    const FEW: usize = 24;
+    if bucket.len() > FEW {
+        sort_by(bucket, Ord::cmp);
+        return;
+    }
+    for k in 1..bucket.len() {
+        let mut at = k;
+        while at > 0 && bucket[at] < bucket[at - 1] {
+            bucket.swap(at, at - 1);
+            at -= 1;
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -220,6 +236,17 @@ mod tests {
         let hits = (0..n * n).filter(|i| inside(5.0 * at(i % n), 6.0 * at(i / n))).count();
         let area = 30.0 * hits as f64 / (n * n) as f64;
         assert!((shares - area).abs() < 0.05, "{shares} against {area}");
+    }
+
+    #[test]
+    fn few_and_many_edges_are_sorted_alike() {
+        for count in [0, 1, 2, 24, 25, 300] {
+            let mut bucket: Vec<(u32, bool, u32)> = (0..count).map(|k| ((k * 7919) % 13, k % 3 == 0, k)).collect();
+            let mut expected = bucket.clone();
+            expected.sort();
+            sort(&mut bucket);
+            assert_eq!(bucket, expected);
+        }
     }
 
     #[test]
