@@ -130,6 +130,10 @@ impl SolvedRegion for SolvedEdges {
         Some((z / self.unit() + self.origin, (slope * self.unit()).inv()))
     }
 
+    fn crowded(&self) -> Option<Complex64> {
+        self.solution.crowded().map(|z| z / self.unit() + self.origin)
+    }
+
     fn store(&self, to: &mut Writer) {
         self.solution.store(to);
     }

@@ -159,6 +159,21 @@ impl CurvedSolution {
         &self.discretisation.panels[q].panel
     }
 
+    /// A boundary point (scaled units) whose neighbourhood is crowded together most, if an error in the disk is more than twenty
+    /// times as large in the region there: the middle of the panel of the least measure for its length.
+    #[must_use]
+    pub fn crowded(&self) -> Option<Complex64> {
+        const OFTEN: f64 = 20.0;
+        let boundary = &self.discretisation.boundary;
+        // Ends of panels at corners are crowded by the corner alone.
+        let whole = (0..self.discretisation.panels.len()).filter(|&q| self.panel(q).start > 0.0);
+        let stretch = |q: usize| boundary.length(self.panel(q)) / (TAU * (self.starts[q + 1] - self.starts[q]));
+        let (q, worst) = whole.map(|q| (q, stretch(q))).max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let panel = self.panel(q);
+        let target = boundary.target(panel, 0.5 * (panel.start + panel.end));
+        (worst > OFTEN).then(|| boundary.vertices[panel.corner] + target.offset)
+    }
+
     /// |f'(center)|⁻¹ in plane units.
     #[must_use]
     pub fn conformal_radius(&self) -> f64 {

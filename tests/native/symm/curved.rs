@@ -320,6 +320,23 @@ fn moved_turned_and_scaled_regions_have_the_same_map() {
     assert!(largest(back.iter().zip(&moved).map(|(a, b)| (a - b).norm())) < 1e-6);
 }
 
+/// Around a ring that is nearly closed the far ends are exponentially small in the disk.
+#[test]
+fn crowded_ends_are_told() {
+    let at = |radius: f64, angle: f64| Complex64::from_polar(radius, angle);
+    let (gap, turn) = (0.3, TAU - 0.6);
+    let edges = [
+        Edge::circular(ORIGIN, 1.0, gap, turn),
+        Edge::line(at(1.0, -gap), at(0.8, -gap)),
+        Edge::circular(ORIGIN, 0.8, -gap, -turn),
+        Edge::line(at(0.8, gap), at(1.0, gap)),
+    ];
+    let ring = solve(&region(&edges, c(-0.9, 0.0)), 1e-8);
+    let place = ring.crowded_at().expect("the ends are crowded");
+    assert!(place.re > 0.5, "{place}");
+    assert!(solve(&region(&letter(), c(1.5, 1.0)), 1e-8).crowded_at().is_none());
+}
+
 #[test]
 fn stored_maps_come_back_to_the_bit() {
     let map = solve(&region(&letter(), c(1.5, 1.0)), 1e-6);
