@@ -139,6 +139,14 @@ impl Region {
     #[wasm_bindgen(constructor)]
     pub fn new(options: Ts<RegionOptions>) -> Result<Self, Failure> {
         let RegionOptions { boundary, curve, path, edges, holes, center, toward } = options::read(&options)?;
+        let given = |point: Option<Point>, name: &str| {
+            point.ok_or_else(|| Failure::option(name, &format!("The option \"{name}\" is missing.")))
+        };
+        if holes.is_empty() {
+            // What is missing is said before what is wrong.
+            given(center, "center")?;
+            given(toward, "toward")?;
+        }
         let drawn = match (boundary, path, edges) {
             (Some(boundary), None, None) => Drawn::Points(points::from_flat("The boundary", &boundary)?),
             (None, Some(path), None) => Drawn::Edges(plane::parse_path(&path)?),
@@ -149,9 +157,6 @@ impl Region {
             }
         };
         if holes.is_empty() {
-            let given = |point: Option<Point>, name: &str| {
-                point.ok_or_else(|| Failure::option(name, &format!("The option \"{name}\" is missing.")))
-            };
             let (center, toward) = (given(center, "center")?.into(), given(toward, "toward")?.into());
             return Ok(Self(Kind::Simple(match drawn {
                 Drawn::Points(points) => plane::Region::new(&points, curve.unwrap_or_default(), center, toward)?,

@@ -13,7 +13,7 @@ after(closeBrowser);
 const readme = readFileSync(join(root, "README.md"), "utf8");
 const blocks = [...readme.matchAll(/```js\n([\s\S]*?)```/g)].map(([, code]) => code);
 
-test("the README has code for a canvas, a region, holes, quadrilaterals and a pool", () => assert.equal(blocks.length, 5));
+test("the README has code for a canvas, a region, curves, holes, quadrilaterals and a pool", () => assert.equal(blocks.length, 6));
 
 for (const [k, code] of blocks.entries()) {
   test(`block ${k + 1} of the README`, async () => {
