@@ -1,7 +1,7 @@
 //! The boundary correspondence: boundary of the region ↔ angle on the circle.
 
 use super::discretisation::Discretisation;
-use super::legendre::{MAX_NODES, legendre};
+use super::legendre::{MAX_NODES, complex_integral, complex_sum, legendre};
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
 
@@ -129,33 +129,15 @@ impl BoundaryCorrespondence {
         if discretisation.panels[q].outgoing { self.starts[q] + within } else { self.starts[q + 1] - within }
     }
 
-    /// ∫₀^τ dμ on panel `q`, by ∫Pₖ = (P₍ₖ₊₁₎ − P₍ₖ₋₁₎)/(2k+1).
+    /// ∫₀^τ dμ on panel `q`.
     fn mass_up_to(&self, q: usize, tau: Complex64) -> Complex64 {
-        let x = 2.0 * tau - 1.0;
-        let coefficients = self.coefficients(q);
-        let (mut before, mut here) = (Complex64::new(1.0, 0.0), x);
-        let mut sum = (x + 1.0) * coefficients[0];
-        for (k, c) in coefficients.iter().enumerate().skip(1) {
-            let k = k as f64;
-            let after = (x * here * (2.0 * k + 1.0) - before * k) / (k + 1.0);
-            sum += (after - before) * (c / (2.0 * k + 1.0));
-            (before, here) = (here, after);
-        }
-        0.5 * sum
+        0.5 * complex_integral(self.coefficients(q), 2.0 * tau - 1.0)
     }
 
     /// dμ/dτ on panel `q`, continued to complex τ.
     #[must_use]
     pub fn complex_density(&self, q: usize, tau: Complex64) -> Complex64 {
-        let x = 2.0 * tau - 1.0;
-        let (mut before, mut here) = (Complex64::ZERO, Complex64::ONE);
-        let mut sum = Complex64::ZERO;
-        for (k, c) in self.coefficients(q).iter().enumerate() {
-            sum += here * *c;
-            let k = k as f64;
-            (before, here) = (here, (x * here * (2.0 * k + 1.0) - before * k) / (k + 1.0));
-        }
-        sum
+        complex_sum(self.coefficients(q), 2.0 * tau - 1.0)
     }
 
     /// Measure from vertex 0 → the edge and the share of it where that is reached; the inverse of

@@ -3,7 +3,7 @@
 use super::curved_cauchy::{self, CauchyPart, Sample, Sampled};
 use super::curved_kernel::CurvedPanel;
 use super::curved_system::CurvedDiscretisation;
-use super::legendre::{MAX_NODES, legendre};
+use super::legendre::{MAX_NODES, complex_integral, complex_sum, legendre};
 use super::log_moments::bernstein;
 use super::options::Stop;
 use super::panel::Panel;
@@ -271,15 +271,7 @@ impl CurvedSolution {
     fn complex_measure(&self, q: usize, tau: Complex64) -> Complex64 {
         let p = self.discretisation.order.p();
         let coefficients = &self.coefficients[q * p..][..p];
-        let x = 2.0 * tau - 1.0;
-        let (mut before, mut here) = (Complex64::ONE, x);
-        let mut sum = (x + 1.0) * coefficients[0];
-        for (k, c) in coefficients.iter().enumerate().skip(1) {
-            let k = k as f64;
-            let after = (x * here * (2.0 * k + 1.0) - before * k) / (k + 1.0);
-            sum += (after - before) * (c / (2.0 * k + 1.0));
-            (before, here) = (here, after);
-        }
+        let sum = complex_integral(coefficients, 2.0 * tau - 1.0);
         if self.panel(q).outgoing { self.starts[q] + 0.5 * sum } else { self.starts[q + 1] - 0.5 * sum }
     }
 
@@ -292,15 +284,7 @@ impl CurvedSolution {
             legendre(2.0 * tau.re - 1.0, &mut values[..p]);
             return values.iter().zip(coefficients).map(|(v, c)| v * c).sum::<f64>().into();
         }
-        let x = 2.0 * tau - 1.0;
-        let (mut before, mut here) = (Complex64::ZERO, Complex64::ONE);
-        let mut sum = Complex64::ZERO;
-        for (k, c) in coefficients.iter().enumerate() {
-            sum += here * *c;
-            let k = k as f64;
-            (before, here) = (here, (x * here * (2.0 * k + 1.0) - before * k) / (k + 1.0));
-        }
-        sum
+        complex_sum(coefficients, 2.0 * tau - 1.0)
     }
 
     /// (∫ log(z − y) dμ, ∫ dμ/(z − y), turns of the boundary around z) at a point off the boundary (scaled units); the

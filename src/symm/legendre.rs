@@ -1,5 +1,7 @@
 //! Legendre polynomials and Gauss's rule: how a panel stores its density.
 
+use crate::plane::Complex64;
+
 /// Writes P₀(x) … P₍ₙ₋₁₎(x) into `values` (n = its length).
 pub fn legendre(x: f64, values: &mut [f64]) {
     let (mut previous, mut current) = (0.0, 1.0);
@@ -98,6 +100,31 @@ pub fn restrictions(rule: &GaussRule) -> [Vec<f64>; 2] {
 pub fn coefficients_of_masses(rule: &GaussRule) -> Vec<f64> {
     let m = rule.len();
     (0..m * m).map(|index| rule.coefficient_row(index / m)[index % m] / rule.weights[index % m]).collect()
+}
+
+/// Σ cₖ Pₖ(x) for complex x.
+pub(super) fn complex_sum(coefficients: &[f64], x: Complex64) -> Complex64 {
+    let (mut before, mut here) = (Complex64::ZERO, Complex64::ONE);
+    let mut sum = Complex64::ZERO;
+    for (k, c) in coefficients.iter().enumerate() {
+        sum += here * *c;
+        let k = k as f64;
+        (before, here) = (here, (x * here * (2.0 * k + 1.0) - before * k) / (k + 1.0));
+    }
+    sum
+}
+
+/// Σ cₖ ∫ Pₖ from −1 to complex x, by ∫Pₖ = (P₍ₖ₊₁₎ − P₍ₖ₋₁₎)/(2k+1).
+pub(super) fn complex_integral(coefficients: &[f64], x: Complex64) -> Complex64 {
+    let (mut before, mut here) = (Complex64::ONE, x);
+    let mut sum = (x + 1.0) * coefficients[0];
+    for (k, c) in coefficients.iter().enumerate().skip(1) {
+        let k = k as f64;
+        let after = (x * here * (2.0 * k + 1.0) - before * k) / (k + 1.0);
+        sum += (after - before) * (c / (2.0 * k + 1.0));
+        (before, here) = (here, after);
+    }
+    sum
 }
 
 #[cfg(test)]

@@ -154,7 +154,7 @@ impl PanelRule {
 
     /// Calls `visit` for the parts that make up the panel as seen from `target` (scaled so that the panel is [0, 1]).
     pub(super) fn for_each_part(&self, order: &Order, target: Complex64, mut visit: impl FnMut(Part)) {
-        let whole = Part { block: self.far_block(), center: 0.5, half: 0.5, rows: Rows::FarNodes };
+        let whole = self.whole(true);
         if outside_ellipse(2.0 * target - 1.0, order.far_ellipse) {
             return visit(whole);
         }

@@ -25,13 +25,8 @@ impl ThinWalls {
     /// Looks behind every panel.
     #[must_use]
     pub fn new(boundary: &Boundary, panels: &[Panel]) -> Self {
-        let slenderness = |panel: &Panel| match boundary.behind(panel, panel.length() / SLENDER) {
-            Some((edge, width)) if panel.length() <= MOST_SLENDER * width => {
-                panel.length() / width * if edge >= panel.edge { 1.0 } else { -1.0 }
-            }
-            _ => 0.0,
-        };
-        Self { signed_slenderness: panels.iter().map(slenderness).collect() }
+        let behind = |panel: &Panel| (panel.edge, panel.length(), boundary.behind(panel, panel.length() / SLENDER));
+        Self::of(panels.iter().map(behind))
     }
 
     /// From the edge and length of each panel, and the edge behind it with its distance, if there is one within
