@@ -25,11 +25,11 @@ pub fn move_center(
     let center = center * system.discretisation.boundary.unit;
     let problem = Problem::measure(&system.discretisation.boundary, center);
     let mut outcome = system.check(&problem, moved_measure(previous, center));
-    if estimate_of(&system.discretisation, &outcome) > options.tolerance {
+    if estimate_of(system.discretisation.as_ref(), &outcome) > options.tolerance {
         let tolerance = MOVE_SHARE * options.tolerance / ERROR_PER_RESIDUAL;
         outcome = system.solve(&problem, tolerance, Some(outcome.masses), progress)?;
     }
-    let error_estimate = estimate_of(&system.discretisation, &outcome);
+    let error_estimate = estimate_of(system.discretisation.as_ref(), &outcome);
     let stop = if error_estimate <= options.tolerance { Stop::Tolerance } else { Stop::SamePanels };
     finish(system, center, outcome, error_estimate, stop)
 }

@@ -1,6 +1,6 @@
 //! A binary tree of runs of neighbouring panels, and which pairs of them are far apart.
 
-use super::discretisation::Discretisation;
+use super::panelled::Panelled;
 use crate::plane::Complex64;
 use std::ops::Range;
 
@@ -36,23 +36,23 @@ pub struct Interactions {
 impl ClusterTree {
     /// Halves the boundary until a run has at most `leaf` panels.
     #[must_use]
-    pub fn new(discretisation: &Discretisation, leaf: usize) -> Self {
+    pub fn new(discretisation: &dyn Panelled, leaf: usize) -> Self {
         let mut tree = Self { clusters: Vec::new() };
-        tree.grow(discretisation, 0..discretisation.panels.len(), leaf);
+        tree.grow(discretisation, 0..discretisation.panel_count(), leaf);
         tree
     }
 
     /// The same for each component alone: one tree after another.
     #[must_use]
-    pub fn of_components(discretisation: &Discretisation, leaf: usize) -> Self {
+    pub fn of_components(discretisation: &dyn Panelled, leaf: usize) -> Self {
         let mut trees = Self { clusters: Vec::new() };
-        for panels in &discretisation.components {
+        for panels in discretisation.components() {
             trees.grow(discretisation, panels.clone(), leaf);
         }
         trees
     }
 
-    fn grow(&mut self, discretisation: &Discretisation, panels: Range<usize>, leaf: usize) -> usize {
+    fn grow(&mut self, discretisation: &dyn Panelled, panels: Range<usize>, leaf: usize) -> usize {
         let index = self.clusters.len();
         self.clusters.push(bounding_disk(discretisation, panels.clone()));
         if panels.len() > leaf {
@@ -87,12 +87,11 @@ impl ClusterTree {
     }
 }
 
-/// The disk around the bounding box of the panels' ends.
-fn bounding_disk(discretisation: &Discretisation, panels: Range<usize>) -> Cluster {
+/// The disk around the bounding box of the panels.
+fn bounding_disk(discretisation: &dyn Panelled, panels: Range<usize>) -> Cluster {
     let ends = |q: usize| {
-        let panel = &discretisation.panels[q];
-        let corner = discretisation.boundary.vertices[panel.corner];
-        [corner + panel.direction * panel.start, corner + panel.direction * panel.end]
+        let at = move |s: f64| discretisation.vertex(q) + discretisation.offset(q, s);
+        discretisation.extent(q).into_iter().map(at)
     };
     let (mut low, mut high) =
         (Complex64::new(f64::INFINITY, f64::INFINITY), Complex64::new(-f64::INFINITY, -f64::INFINITY));

@@ -1,21 +1,17 @@
 //! Symm's equation on panels: unknowns, collocation points, matrix rows.
 
+use super::options::Progress;
 use super::order::Order;
 use super::panel::{Boundary, Panel};
+use super::panelled::{Panelled, Place, Refinable};
+use super::problem::{Source, Target};
+use super::refinement::Refinement;
 use super::rule::{PanelRule, Rules};
 use super::thin_walls::ThinWalls;
+use crate::Result;
 use crate::plane::Complex64;
 use std::ops::Range;
 use std::sync::Arc;
-
-/// A point of the boundary, held as a vertex and an offset from it, so that distances near the vertex keep their digits.
-#[derive(Clone, Copy, Debug)]
-pub struct Target {
-    /// The vertex.
-    pub corner: usize,
-    /// The point minus the vertex.
-    pub offset: Complex64,
-}
 
 /// A boundary cut into panels. The unknowns are the masses of harmonic measure at the panels' nodes.
 #[derive(Clone, Debug)]
@@ -52,46 +48,13 @@ impl Discretisation {
         Self { boundary, panels, components, rules: panel_rules, order, walls }
     }
 
-    /// Number of unknown masses.
-    #[must_use]
-    pub fn unknowns(&self) -> usize {
-        self.panels.len() * self.order.p()
-    }
-
-    /// The unknowns of each component.
-    pub fn unknowns_of_components(&self) -> impl Iterator<Item = Range<usize>> + '_ {
-        let p = self.order.p();
-        self.components.iter().map(move |panels| panels.start * p..panels.end * p)
-    }
-
     /// The point at τ on a panel.
     #[must_use]
     pub fn target(&self, panel: &Panel, tau: f64) -> Target {
         Target { corner: panel.corner, offset: panel.direction * panel.distance_at(tau) }
     }
 
-    /// Every panel's nodes, in the order of the unknowns.
-    #[must_use]
-    pub fn collocation_points(&self) -> Vec<Target> {
-        self.at_each_panel(&self.order.panel.nodes.iter().map(|t| 0.5 * (t + 1.0)).collect::<Vec<_>>())
-    }
-
-    /// The nodes of some panels.
-    #[must_use]
-    pub fn collocation_points_of(&self, panels: &[usize]) -> Vec<Target> {
-        let nodes = &self.order.panel.nodes;
-        let at = |q: usize| nodes.iter().map(move |t| self.target(&self.panels[q], 0.5 * (t + 1.0)));
-        panels.iter().flat_map(|&q| at(q)).collect()
-    }
-
-    /// Two points a panel where the equation was not asked to hold, close to its ends, where it holds worst.
-    #[must_use]
-    pub fn check_points(&self) -> Vec<Target> {
-        let end = 0.01 * (self.order.panel.nodes[0] + 1.0);
-        self.at_each_panel(&[end, 1.0 - end])
-    }
-
-    fn at_each_panel(&self, taus: &[f64]) -> Vec<Target> {
+    fn targets(&self, taus: &[f64]) -> Vec<Target> {
         self.panels.iter().flat_map(|panel| taus.iter().map(|&tau| self.target(panel, tau))).collect()
     }
 
@@ -109,15 +72,80 @@ impl Discretisation {
         let panel = &self.panels[q];
         ((z - self.boundary.vertices[panel.corner]) * panel.direction.conj() - panel.start) / panel.length()
     }
+}
 
-    /// Writes ∫ log|x − y| dμ(y) at `target` for a unit mass at each node of the panels from `first` on into `row`,
-    /// whose length is a multiple of p.
-    pub fn fill_row(&self, target: Target, first: usize, row: &mut [f64]) {
+impl Panelled for Discretisation {
+    fn order(&self) -> &Order {
+        &self.order
+    }
+
+    fn panel_count(&self) -> usize {
+        self.panels.len()
+    }
+
+    fn panel(&self, q: usize) -> &Panel {
+        &self.panels[q]
+    }
+
+    fn rule(&self, q: usize) -> &PanelRule {
+        &self.rules[q]
+    }
+
+    fn components(&self) -> &[Range<usize>] {
+        &self.components
+    }
+
+    fn is_bounded(&self) -> bool {
+        self.boundary.bounded
+    }
+
+    fn walls(&self) -> &ThinWalls {
+        &self.walls
+    }
+
+    fn length(&self, q: usize) -> f64 {
+        self.panels[q].length()
+    }
+
+    fn vertex(&self, q: usize) -> Complex64 {
+        self.boundary.vertices[self.panels[q].corner]
+    }
+
+    fn offset(&self, q: usize, s: f64) -> Complex64 {
+        self.panels[q].direction * s
+    }
+
+    fn extent(&self, q: usize) -> Vec<f64> {
+        vec![self.panels[q].start, self.panels[q].end]
+    }
+
+    /// Close to the ends of panels, where the equation holds worst.
+    fn check_taus(&self) -> Vec<f64> {
+        let end = 0.01 * (self.order.panel.nodes[0] + 1.0);
+        vec![end, 1.0 - end]
+    }
+
+    fn values(&self, source: &Source, taus: &[f64]) -> Vec<f64> {
+        source.values(&self.boundary, &self.targets(taus))
+    }
+
+    fn fill_row(&self, (panel, tau): Place, first: usize, row: &mut [f64]) {
         row.fill(0.0);
+        let target = self.target(&self.panels[panel], tau);
         for (k, entries) in row.chunks_exact_mut(self.order.p()).enumerate() {
             let q = first + k;
             let log_scale = self.panels[q].length().ln();
             self.rules[q].add_row(&self.order, self.local(q, target), log_scale, entries);
         }
+    }
+}
+
+impl Refinable for Discretisation {
+    fn refinement(&self, residuals: &[f64], acceptable: f64) -> Refinement {
+        Refinement::new(self, residuals, acceptable)
+    }
+
+    fn refined(&self, refinement: &mut Refinement, rules: &mut Rules, _: Progress) -> Result<Self> {
+        Ok(Self::new(Arc::clone(&self.boundary), refinement.panels.clone(), rules))
     }
 }

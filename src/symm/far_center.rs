@@ -6,12 +6,13 @@
 //! the solution tells whether it matters: there the potential does not vanish.
 
 use super::correspondence::BoundaryCorrespondence;
-use super::discretisation::{Discretisation, Target};
+use super::discretisation::Discretisation;
 use super::known::Known;
 use super::local_series::LocalSeries;
 use super::measure::Measure;
 use super::options::{Progress, SolveOptions};
 use super::panel::{Boundary, Panel, halved_towards};
+use super::panelled::Panelled;
 use super::potential::LogPotential;
 use super::rule::Rules;
 use super::solution::{ERROR_PER_RESIDUAL, Solution};
@@ -274,7 +275,7 @@ impl Far<'_> {
                     masses.extend(std::iter::repeat_n(0.0, p));
                 }
                 Role::Solved => {
-                    let count = solved.iter().take_while(|part| is_within(part, panel)).count();
+                    let count = solved.iter().take_while(|part| part.is_within(panel)).count();
                     let (own, rest) = solved.split_at(count);
                     let (own_masses, other_masses) = solved_masses.split_at(count * p);
                     all.extend_from_slice(own);
@@ -302,7 +303,7 @@ impl Far<'_> {
         let acceptable = SHARE_OF_UNSEEN * self.tolerance / ERROR_PER_RESIDUAL;
         let doubtful = panels.iter().filter(|(_, role)| *role == Role::Doubtful);
         let sees = |panel: &Panel| {
-            let target: Target = found.discretisation.target(panel, 0.5);
+            let target = found.discretisation.target(panel, 0.5);
             let x = self.boundary().vertices[target.corner] + target.offset;
             let mut potential = [Complex64::ZERO];
             series.expand(x, 0.0, &mut potential);
@@ -366,11 +367,7 @@ fn coarsen(whole: Panel, parts: &[Seen], counts: &dyn Fn(f64, Role) -> bool, pan
 
 /// How many of the first panels lie within `whole`.
 fn parts_within(whole: Panel, parts: &[Seen]) -> usize {
-    parts.iter().take_while(|(part, _, _)| is_within(part, &whole)).count()
-}
-
-fn is_within(part: &Panel, whole: &Panel) -> bool {
-    part.edge == whole.edge && part.outgoing == whole.outgoing && part.start >= whole.start && part.end <= whole.end
+    parts.iter().take_while(|(part, _, _)| part.is_within(&whole)).count()
 }
 
 #[cfg(test)]

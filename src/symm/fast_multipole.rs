@@ -5,10 +5,10 @@
 //! clusters' radii, so that no size overflows.
 
 use super::clusters::{Cluster, ClusterTree, Interactions};
-use super::discretisation::{Discretisation, Target};
 use super::influence::Influence;
 use super::multipole::{binomials, shift_multipole};
 use super::options::Progress;
+use super::panelled::Panelled;
 use super::refinement::Refinement;
 use crate::plane::Complex64;
 use crate::{Error, Result};
@@ -39,14 +39,14 @@ pub struct FastInfluence {
 }
 
 impl FastInfluence {
-    /// The potentials at `targets`, which are equally many on each panel, in the order of the panels.
+    /// The potentials at the given τ of every panel, in the order of the panels.
     /// Entries are good to `10^-digits`.
     ///
     /// # Errors
     /// [`Error::Cancelled`].
-    pub fn new(discretisation: &Discretisation, targets: &[Target], digits: f64, progress: Progress) -> Result<Self> {
-        let mut fast = Self::without_near(discretisation, targets, digits);
-        fast.fill_near(discretisation, targets, None, progress)?;
+    pub fn new(discretisation: &dyn Panelled, taus: &[f64], digits: f64, progress: Progress) -> Result<Self> {
+        let mut fast = Self::without_near(discretisation, taus, digits);
+        fast.fill_near(discretisation, taus, None, progress)?;
         Ok(fast)
     }
 
@@ -57,27 +57,27 @@ impl FastInfluence {
     pub fn refined(
         &self,
         refinement: &Refinement,
-        discretisation: &Discretisation,
-        targets: &[Target],
+        discretisation: &dyn Panelled,
+        taus: &[f64],
         progress: Progress,
     ) -> Result<Self> {
-        let mut fast = Self::without_near(discretisation, targets, discretisation.order.digits);
-        fast.fill_near(discretisation, targets, Some(&NearBlocks::new(self, refinement)), progress)?;
+        let mut fast = Self::without_near(discretisation, taus, discretisation.order().digits);
+        fast.fill_near(discretisation, taus, Some(&NearBlocks::new(self, refinement)), progress)?;
         Ok(fast)
     }
 
-    fn without_near(discretisation: &Discretisation, targets: &[Target], digits: f64) -> Self {
-        let p = discretisation.order.p();
+    fn without_near(discretisation: &dyn Panelled, taus: &[f64], digits: f64) -> Self {
+        let p = discretisation.order().p();
         let order = (digits * std::f64::consts::LN_10 / -SEPARATION.ln()).ceil() as usize;
         let tree = ClusterTree::new(discretisation, LEAF_UNKNOWNS.div_ceil(p));
         let interactions = tree.interactions(SEPARATION);
-        let targets_per_panel = targets.len() / discretisation.panels.len();
+        let targets_per_panel = taus.len();
         Self {
             p,
             order,
             targets_per_panel,
             unit_multipoles: unit_multipoles(discretisation, &tree, order),
-            places: places(discretisation, &tree, targets, targets_per_panel),
+            places: places(discretisation, &tree, taus),
             near_entries: Vec::new(),
             binomials: signed_binomials(order),
             tree,
@@ -87,8 +87,8 @@ impl FastInfluence {
 
     fn fill_near(
         &mut self,
-        discretisation: &Discretisation,
-        targets: &[Target],
+        discretisation: &dyn Panelled,
+        taus: &[f64],
         known: Option<&NearBlocks>,
         progress: Progress,
     ) -> Result<()> {
@@ -104,16 +104,17 @@ impl FastInfluence {
             let (target, source) = (&clusters[pair.0], &clusters[pair.1]);
             let rows = target.panels.start * self.targets_per_panel..target.panels.end * self.targets_per_panel;
             for (i, row) in rows.zip(block.chunks_exact_mut(source.panels.len() * self.p)) {
+                let (panel, target) = (i / taus.len(), i % taus.len());
+                let place = (panel, taus[target]);
                 let Some(known) = known else {
-                    discretisation.fill_row(targets[i], source.panels.start, row);
+                    discretisation.fill_row(place, source.panels.start, row);
                     continue;
                 };
-                let (panel, target) = (i / self.targets_per_panel, i % self.targets_per_panel);
                 let mut before = None;
                 for (q, entries) in source.panels.clone().zip(row.chunks_exact_mut(self.p)) {
                     match known.row(panel, target, q, &mut before) {
                         Some(row) => entries.copy_from_slice(row),
-                        None => discretisation.fill_row(targets[i], q, entries),
+                        None => discretisation.fill_row(place, q, entries),
                     }
                 }
             }
@@ -280,16 +281,16 @@ impl Influence for FastInfluence {
 }
 
 /// Scaled multipole coefficients (charge, then aₖ/radiusᵏ with aₖ = −∫ (y−b)ᵏ dμ/k) of a unit mass at each node.
-fn unit_multipoles(discretisation: &Discretisation, tree: &ClusterTree, order: usize) -> Vec<Complex64> {
-    let p = discretisation.order.p();
+fn unit_multipoles(discretisation: &dyn Panelled, tree: &ClusterTree, order: usize) -> Vec<Complex64> {
+    let p = discretisation.order().p();
     let mut multipoles = vec![Complex64::ZERO; discretisation.unknowns() * (order + 1)];
     for leaf in tree.clusters.iter().filter(|cluster| cluster.children.is_none()) {
         for q in leaf.panels.clone() {
-            let panel = &discretisation.panels[q];
-            let corner = discretisation.boundary.vertices[panel.corner] - leaf.center;
-            discretisation.rules[q].for_each_source(&discretisation.order, |place, masses| {
+            let panel = discretisation.panel(q);
+            let corner = discretisation.vertex(q) - leaf.center;
+            discretisation.rule(q).for_each_source(discretisation.order(), |place, masses| {
                 let s = panel.start + place * panel.length();
-                let y = (corner + panel.direction * s) / leaf.radius;
+                let y = (corner + discretisation.offset(q, s)) / leaf.radius;
                 let mut power = Complex64::new(1.0, 0.0);
                 for k in 0..=order {
                     let term = if k == 0 { power } else { -power / k as f64 };
@@ -304,18 +305,11 @@ fn unit_multipoles(discretisation: &Discretisation, tree: &ClusterTree, order: u
     multipoles
 }
 
-fn places(
-    discretisation: &Discretisation,
-    tree: &ClusterTree,
-    targets: &[Target],
-    targets_per_panel: usize,
-) -> Vec<Complex64> {
-    let mut places = vec![Complex64::ZERO; targets.len()];
+fn places(discretisation: &dyn Panelled, tree: &ClusterTree, taus: &[f64]) -> Vec<Complex64> {
+    let mut places = discretisation.points(taus);
     for leaf in tree.clusters.iter().filter(|cluster| cluster.children.is_none()) {
-        for i in leaf.panels.start * targets_per_panel..leaf.panels.end * targets_per_panel {
-            let z = discretisation.boundary.vertices[targets[i].corner] + targets[i].offset;
-            places[i] = (z - leaf.center) / leaf.radius;
-        }
+        let own = &mut places[leaf.panels.start * taus.len()..leaf.panels.end * taus.len()];
+        own.iter_mut().for_each(|z| *z = (*z - leaf.center) / leaf.radius);
     }
     places
 }
@@ -329,6 +323,7 @@ fn signed_binomials(order: usize) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::discretisation::Discretisation;
     use super::super::influence::DenseInfluence;
     use super::super::order::Order;
     use super::super::panel::{Boundary, initial_panels};
@@ -349,14 +344,14 @@ mod tests {
         let panels = initial_panels(&boundary, 1.0);
         let discretisation = Discretisation::new(boundary, panels, &mut rules);
         let masses: Vec<f64> = (0..discretisation.unknowns()).map(|j| ((j * 37) % 11) as f64 / 2000.0).collect();
-        for targets in [discretisation.collocation_points(), discretisation.check_points()] {
-            let dense = DenseInfluence::new(&discretisation, &targets, &mut |_, _| true).unwrap();
-            let mut exact = vec![0.0; targets.len()];
+        for taus in [discretisation.node_taus(), discretisation.check_taus()] {
+            let dense = DenseInfluence::new(&discretisation, &taus, None, &mut |_, _| true).unwrap();
+            let mut exact = vec![0.0; taus.len() * discretisation.panels.len()];
             dense.apply(&masses, &mut exact);
             for digits in [4.0, 8.0, 11.0] {
-                let fast = FastInfluence::new(&discretisation, &targets, digits, &mut |_, _| true).unwrap();
+                let fast = FastInfluence::new(&discretisation, &taus, digits, &mut |_, _| true).unwrap();
                 assert!(fast.interactions.far.len() > 100);
-                let mut potentials = vec![0.0; targets.len()];
+                let mut potentials = vec![0.0; exact.len()];
                 fast.apply(&masses, &mut potentials);
                 let error = potentials.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 assert!(error < 10f64.powf(-digits) * 5.0, "{digits} digits: {error:e}");
@@ -380,9 +375,9 @@ mod tests {
         let after = Discretisation::new(boundary, refinement.panels.clone(), &mut rules);
         assert!(after.panels.len() > before.panels.len() + 20);
         let progress = &mut |_: &'static str, _: f64| true;
-        let old = FastInfluence::new(&before, &before.collocation_points(), 8.0, progress).unwrap();
-        let fresh = FastInfluence::new(&after, &after.collocation_points(), 8.0, progress).unwrap();
-        let refined = old.refined(&refinement, &after, &after.collocation_points(), progress).unwrap();
+        let old = FastInfluence::new(&before, &before.node_taus(), 8.0, progress).unwrap();
+        let fresh = FastInfluence::new(&after, &after.node_taus(), 8.0, progress).unwrap();
+        let refined = old.refined(&refinement, &after, &after.node_taus(), progress).unwrap();
         assert_eq!(refined.near_entries, fresh.near_entries, "bit for bit");
     }
 }

@@ -3,6 +3,7 @@
 use super::correspondence::BoundaryCorrespondence;
 use super::local_series::LocalSeries;
 use super::panel::Boundary;
+use super::panelled::Panelled;
 use super::potential::LogPotential;
 use super::problem::Source;
 use super::system::System;
@@ -62,7 +63,7 @@ impl Field {
     /// The first vertex of each component, and ∫ σ over it.
     pub fn charges(&self) -> impl Iterator<Item = (Complex64, f64)> + '_ {
         let discretisation = &self.system.discretisation;
-        let components = discretisation.unknowns_of_components().zip(&discretisation.boundary.loops);
+        let components = discretisation.unknowns_of_components().into_iter().zip(&discretisation.boundary.loops);
         components.map(|(own, vertices)| {
             (discretisation.boundary.vertices[vertices.start], self.potential.masses()[own].iter().sum())
         })

@@ -1,8 +1,9 @@
 //! Masses → potentials: the matrix of Symm's equation as something that can be applied.
 
-use super::discretisation::{Discretisation, Target};
 use super::lu::dot;
 use super::options::Progress;
+use super::panelled::Panelled;
+use super::refinement::Refinement;
 use crate::{Error, Result};
 use std::ops::Range;
 
@@ -20,20 +21,50 @@ pub struct DenseInfluence {
 }
 
 impl DenseInfluence {
-    /// The potentials at `targets`.
+    /// The potentials at the given τ of every panel. What lies between panels that were kept is taken over from `before`.
     ///
     /// # Errors
     /// [`Error::Cancelled`].
-    pub fn new(discretisation: &Discretisation, targets: &[Target], progress: Progress) -> Result<Self> {
-        let columns = discretisation.unknowns();
-        let mut entries = vec![0.0; columns * targets.len()];
-        for (i, (target, row)) in targets.iter().zip(entries.chunks_exact_mut(columns)).enumerate() {
-            discretisation.fill_row(*target, 0, row);
-            if i % 64 == 0 && !progress("assemble", i as f64 / targets.len() as f64) {
+    pub fn new(
+        discretisation: &dyn Panelled,
+        taus: &[f64],
+        before: Option<(&Self, &Refinement)>,
+        progress: Progress,
+    ) -> Result<Self> {
+        let (columns, p) = (discretisation.unknowns(), discretisation.order().p());
+        let count = discretisation.panel_count() * taus.len();
+        let mut entries = vec![0.0; columns * count];
+        for (i, row) in entries.chunks_exact_mut(columns).enumerate() {
+            let (panel, tau) = (i / taus.len(), i % taus.len());
+            let place = (panel, taus[tau]);
+            let known = before.and_then(|(old, refinement)| Some((old, refinement, refinement.kept(panel)?)));
+            if let Some((old, refinement, kept)) = known {
+                let old = &old.entries[(kept * taus.len() + tau) * old.columns..][..old.columns];
+                for (q, entries) in row.chunks_exact_mut(p).enumerate() {
+                    match refinement.kept(q) {
+                        Some(source) => entries.copy_from_slice(&old[source * p..][..p]),
+                        None => discretisation.fill_row(place, q, entries),
+                    }
+                }
+            } else {
+                discretisation.fill_row(place, 0, row);
+            }
+            if i % 64 == 0 && !progress("assemble", i as f64 / count as f64) {
                 return Err(Error::Cancelled);
             }
         }
         Ok(Self { columns, entries })
+    }
+
+    /// Of potentials at the nodes: the row-major matrix of some panels alone, of p nodes each.
+    #[must_use]
+    pub fn block(&self, members: &[usize], p: usize) -> Vec<f64> {
+        let mut block = Vec::with_capacity((members.len() * p).pow(2));
+        for i in members.iter().flat_map(|q| q * p..(q + 1) * p) {
+            let row = &self.entries[i * self.columns..][..self.columns];
+            members.iter().for_each(|q| block.extend_from_slice(&row[q * p..][..p]));
+        }
+        block
     }
 
     /// The row-major matrix of the whole system, with the constant and the total mass of each component, whose unknowns are

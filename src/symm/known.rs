@@ -1,7 +1,7 @@
 //! The measure of a part of the boundary that is known, while the rest is solved for.
 
 use super::correspondence::BoundaryCorrespondence;
-use super::discretisation::{Discretisation, Target};
+use super::discretisation::Discretisation;
 use super::local_series::LocalSeries;
 use crate::plane::Complex64;
 
@@ -28,13 +28,13 @@ impl Known {
 
     /// ∫ log|x − y| dμ(y) at points of the boundary that lie on other panels.
     #[must_use]
-    pub fn potentials(&self, discretisation: &Discretisation, targets: &[Target]) -> Vec<f64> {
-        let Some(series) = &self.series else { return vec![0.0; targets.len()] };
+    pub fn potentials(&self, points: &[Complex64]) -> Vec<f64> {
+        let Some(series) = &self.series else { return vec![0.0; points.len()] };
         let mut value = [Complex64::ZERO];
-        let at = |target: &Target| {
-            series.expand(discretisation.boundary.vertices[target.corner] + target.offset, 0.0, &mut value);
+        let at = |point: &Complex64| {
+            series.expand(*point, 0.0, &mut value);
             self.mass * value[0].re
         };
-        targets.iter().map(at).collect()
+        points.iter().map(at).collect()
     }
 }

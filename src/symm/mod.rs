@@ -60,6 +60,7 @@ pub mod options;
 mod order;
 pub(crate) mod panel;
 mod panel_blocks;
+pub(crate) mod panelled;
 pub(crate) mod potential;
 pub(crate) mod problem;
 mod refinement;

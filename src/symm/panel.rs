@@ -204,6 +204,12 @@ impl Panel {
         (local - local.re.clamp(self.start, self.end)).norm()
     }
 
+    /// Whether it is a part of `whole`.
+    #[must_use]
+    pub fn is_within(&self, whole: &Self) -> bool {
+        self.edge == whole.edge && self.outgoing == whole.outgoing && self.start >= whole.start && self.end <= whole.end
+    }
+
     /// Whether doubles can tell places on its halves apart.
     #[must_use]
     pub fn can_be_halved(&self) -> bool {

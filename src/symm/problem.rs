@@ -10,9 +10,17 @@
 //! The problems here are those where L − G vanishes outside an outer boundary (so that its constant is 0), and G continues into
 //! holes: then σ is the normal derivative of B alone, and Im B falls by 2π ∫ σ along the boundary, the region to the left.
 
-use super::discretisation::Target;
 use super::panel::Boundary;
 use crate::plane::Complex64;
+
+/// A point of the boundary, held as a vertex and an offset from it, so that distances near the vertex keep their digits.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// The vertex.
+    pub corner: usize,
+    /// The point minus the vertex.
+    pub offset: Complex64,
+}
 
 /// What is to be solved for.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! From the panels of one round to those of the next: some are halved, the others are kept.
 
-use super::discretisation::Discretisation;
 use super::panel::Panel;
+use super::panelled::Panelled;
 
 /// Panels, and where they come from.
 #[derive(Clone, Debug)]
@@ -20,16 +20,17 @@ impl Refinement {
     /// Halves the panels whose residuals, weighted by the walls behind them, are above the acceptable one, or if there are
     /// none, above a smaller share of it.
     #[must_use]
-    pub fn new(discretisation: &Discretisation, residuals: &[f64], acceptable: f64) -> Self {
+    pub fn new(discretisation: &dyn Panelled, residuals: &[f64], acceptable: f64) -> Self {
         let weighted: Vec<f64> =
-            residuals.iter().enumerate().map(|(q, residual)| residual * discretisation.walls.weight(q)).collect();
-        let panels = &discretisation.panels;
-        let halve = |q: usize, bound: f64| weighted[q] > bound && panels[q].can_be_halved();
+            residuals.iter().enumerate().map(|(q, residual)| residual * discretisation.walls().weight(q)).collect();
+        let count = discretisation.panel_count();
+        let halve = |q: usize, bound: f64| weighted[q] > bound && discretisation.panel(q).can_be_halved();
         let bounds = SHARES.map(|share| share * acceptable);
-        let any = |bound: &f64| (0..panels.len()).any(|q| halve(q, *bound));
+        let any = |bound: &f64| (0..count).any(|q| halve(q, *bound));
         let bound = bounds.into_iter().find(any).unwrap_or(f64::INFINITY);
         let mut refinement = Self { panels: Vec::new(), origins: Vec::new(), kept: Vec::new() };
-        for (q, panel) in panels.iter().enumerate() {
+        for q in 0..count {
+            let panel = discretisation.panel(q);
             if halve(q, bound) {
                 panel.halves().into_iter().for_each(|half| refinement.push(half, q, false));
             } else {
@@ -43,6 +44,20 @@ impl Refinement {
         self.panels.push(panel);
         self.origins.push(origin);
         self.kept.push(kept);
+    }
+
+    /// The same with more of its panels halved: `panels` are those in halves, as often as needed, in the same order.
+    pub fn go_on_to(&mut self, panels: Vec<Panel>) {
+        let mut old = 0;
+        let same = |a: &Panel, b: &Panel| (a.edge, a.outgoing, a.start, a.end) == (b.edge, b.outgoing, b.start, b.end);
+        let mut next = Self { panels: Vec::new(), origins: Vec::new(), kept: Vec::new() };
+        for panel in panels {
+            while !panel.is_within(&self.panels[old]) {
+                old += 1;
+            }
+            next.push(panel, self.origins[old], self.kept[old] && same(&panel, &self.panels[old]));
+        }
+        *self = next;
     }
 
     /// The old index of panel `q` if it was kept.
@@ -59,13 +74,13 @@ impl Refinement {
 
     /// Masses on the old panels' nodes → the same measure on the new ones'.
     #[must_use]
-    pub fn carried(&self, from: &Discretisation, masses: &[f64]) -> Vec<f64> {
-        let gauss = &from.order.panel;
+    pub fn carried(&self, from: &dyn Panelled, masses: &[f64]) -> Vec<f64> {
+        let gauss = &from.order().panel;
         let p = gauss.len();
         let mut carried = Vec::with_capacity(self.panels.len() * p);
         let mut basis = vec![0.0; p];
         for (q, half) in self.panels.iter().enumerate() {
-            let panel = &from.panels[self.origins[q]];
+            let panel = from.panel(self.origins[q]);
             let masses = &masses[self.origins[q] * p..][..p];
             if self.kept[q] {
                 carried.extend_from_slice(masses);
@@ -86,6 +101,7 @@ impl Refinement {
 
 #[cfg(test)]
 mod tests {
+    use super::super::discretisation::Discretisation;
     use super::super::order::Order;
     use super::super::panel::{Boundary, initial_panels};
     use super::super::rule::Rules;

@@ -9,6 +9,7 @@
 use super::correspondence::BoundaryCorrespondence;
 use super::discretisation::Discretisation;
 use super::options::{Progress, Stop};
+use super::panelled::Panelled;
 use super::potential::LogPotential;
 use super::system::{System, SystemSolution};
 use crate::plane::{BoundaryPoint, Complex64};
@@ -119,8 +120,8 @@ impl Solution {
 }
 
 /// What the residuals say of the map's error, apart from rounding in the system.
-pub(super) fn estimate_of(discretisation: &Discretisation, outcome: &SystemSolution) -> f64 {
-    ERROR_PER_RESIDUAL * outcome.residual() + discretisation.walls.error(&outcome.residuals) + ROUNDING
+pub(super) fn estimate_of(discretisation: &dyn Panelled, outcome: &SystemSolution) -> f64 {
+    ERROR_PER_RESIDUAL * outcome.residual() + discretisation.walls().error(&outcome.residuals) + ROUNDING
 }
 
 /// A solution with its evidence, unless its masses show that it is none.

@@ -5,8 +5,8 @@ use super::discretisation::Discretisation;
 use super::options::{Progress, SolveOptions, Stop};
 use super::order::Order;
 use super::panel::{Boundary, Panel, halved_towards, initial_panels};
+use super::panelled::{Panelled, Refinable};
 use super::problem::Problem;
-use super::refinement::Refinement;
 use super::rule::Rules;
 use super::solution::{ERROR_PER_RESIDUAL, estimate_of, finish};
 use super::system::{System, SystemSolution};
@@ -134,9 +134,9 @@ pub(super) fn seen_from(
 
 /// Problems solved together, on panels fine enough for all of them.
 #[derive(Debug)]
-pub struct Adapted {
+pub struct Adapted<D: Panelled = Discretisation> {
     /// The system of the last round.
-    pub system: Arc<System>,
+    pub system: Arc<System<D>>,
     /// What was solved for.
     pub problems: Vec<Problem>,
     /// The solution of each.
@@ -148,26 +148,26 @@ pub struct Adapted {
 }
 
 /// Solves, and halves panels and solves again until the estimate meets the tolerance.
-fn adapt(
-    mut system: Arc<System>,
+pub(super) fn adapt<D: Refinable>(
+    mut system: Arc<System<D>>,
     mut rules: Rules,
     problems: Vec<Problem>,
     mut guesses: Option<Vec<Vec<f64>>>,
     (options, effort): (&SolveOptions, Effort),
     progress: Progress,
-) -> Result<Adapted> {
+) -> Result<Adapted<D>> {
     let acceptable = options.tolerance / ERROR_PER_RESIDUAL;
     let mut previous_estimate = f64::INFINITY;
     loop {
-        let weight = system.discretisation.walls.largest_weight();
+        let weight = system.discretisation.walls().largest_weight();
         let fine = ITERATION_SHARE * acceptable / (0.01 * weight).max(1.0);
         let rough = fine.max(ROUGH_SHARE * acceptable / weight);
         let mut outcomes = solve_all(&system, &problems, rough, guesses.take(), progress)?;
         let refinement_of = |outcomes: &[SystemSolution]| {
-            Refinement::new(&system.discretisation, &largest_residuals(outcomes), REFINE_SHARE * acceptable)
+            system.discretisation.refinement(&largest_residuals(outcomes), REFINE_SHARE * acceptable)
         };
         let estimate_of = |outcomes: &[SystemSolution]| {
-            let estimates = outcomes.iter().map(|outcome| estimate_of(&system.discretisation, outcome));
+            let estimates = outcomes.iter().map(|outcome| estimate_of(system.discretisation.as_ref(), outcome));
             estimates.fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
         };
         let mut refinement = refinement_of(&outcomes);
@@ -175,7 +175,7 @@ fn adapt(
             let estimate = estimate_of(outcomes);
             let residual = outcomes.iter().map(SystemSolution::residual).fold(0.0, f64::max);
             estimate <= options.tolerance
-                || panels.len() == system.discretisation.panels.len()
+                || panels.len() == system.discretisation.panel_count()
                 || panels.len() * rules.order.p() > options.max_unknowns
                 || estimate > STAGNATION_SHARE * previous_estimate && residual < STAGNATION_BELOW
                 || estimate > TRIAL_SHARE * previous_estimate && effort == Effort::Trial
@@ -202,14 +202,14 @@ fn adapt(
             return Ok(Adapted { system, problems, outcomes, error_estimate, stop });
         }
         previous_estimate = from_residual;
-        let carried = |outcome: &SystemSolution| refinement.carried(&system.discretisation, &outcome.masses);
+        let carried = |outcome: &SystemSolution| refinement.carried(system.discretisation.as_ref(), &outcome.masses);
         guesses = Some(outcomes.iter().map(carried).collect());
         system = Arc::new(system.refined(refinement, &mut rules, progress)?);
     }
 }
 
-fn solve_all(
-    system: &System,
+fn solve_all<D: Panelled>(
+    system: &System<D>,
     problems: &[Problem],
     tolerance: f64,
     guesses: Option<Vec<Vec<f64>>>,

@@ -1,29 +1,28 @@
 //! Symm's linear system, ready to be solved for any right-hand side.
 
-use super::discretisation::{Discretisation, Target};
+use super::discretisation::Discretisation;
 use super::fast_multipole::FastInfluence;
 use super::gmres::gmres;
 use super::influence::{DenseInfluence, Influence};
 use super::known::Known;
 use super::lu::Lu;
 use super::options::Progress;
+use super::panelled::{Panelled, Refinable};
 use super::problem::{Problem, Source};
 use super::refinement::Refinement;
 use super::rule::Rules;
-use super::two_level::TwoLevel;
+use super::two_level::{self, TwoLevel};
 use crate::Result;
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
 /// The matrix and its (approximate) inverse: one constant and one total mass a component border it.
-pub struct System {
+pub struct System<D = Discretisation> {
     /// The panels.
-    pub discretisation: Arc<Discretisation>,
+    pub discretisation: Arc<D>,
     /// The unknowns of each component.
     components: Vec<Range<usize>>,
-    targets: Vec<Target>,
-    checks: Vec<Target>,
     equations: Arc<Equations>,
     check_equations: Arc<Equations>,
     inverse: Arc<Inverse>,
@@ -87,98 +86,56 @@ const DENSE_UP_TO: usize = 2000;
 /// Iterations after which something is wrong; 4 to 40 are usual.
 const MOST_ITERATIONS: usize = 200;
 
-impl System {
+impl<D: Panelled> System<D> {
     /// Assembles and factors what the size asks for.
     ///
     /// # Errors
     /// [`Error::Cancelled`](crate::Error::Cancelled).
-    pub fn new(discretisation: impl Into<Arc<Discretisation>>, progress: Progress) -> Result<Self> {
+    pub fn new(discretisation: impl Into<Arc<D>>, progress: Progress) -> Result<Self> {
         let discretisation = discretisation.into();
-        let targets = discretisation.collocation_points();
-        let checks = discretisation.check_points();
-        let n = discretisation.unknowns();
-        let components: Vec<_> = discretisation.unknowns_of_components().collect();
-        let digits = discretisation.order.digits;
-        let (equations, check_equations, inverse) = if n <= DENSE_UP_TO {
-            let equations = DenseInfluence::new(&discretisation, &targets, progress)?;
-            let inverse = if n <= FACTOR_UP_TO {
-                Inverse::Exact(Lu::new(n + components.len(), equations.bordered(&components)))
-            } else {
-                Inverse::TwoLevel(TwoLevel::new(&discretisation, progress)?)
-            };
-            let checks = DenseInfluence::new(&discretisation, &checks, progress)?;
-            (Equations::Dense(equations), Equations::Dense(checks), inverse)
-        } else {
-            (
-                Equations::Fast(FastInfluence::new(&discretisation, &targets, digits, progress)?),
-                Equations::Fast(FastInfluence::new(&discretisation, &checks, digits, progress)?),
-                Inverse::TwoLevel(TwoLevel::new(&discretisation, progress)?),
-            )
-        };
-        let (equations, check_equations) = (Arc::new(equations), Arc::new(check_equations));
-        let inverse = Arc::new(inverse);
-        Ok(Self { discretisation, components, targets, checks, equations, check_equations, inverse, given: None })
+        let assembled = assemble(discretisation.as_ref(), None, progress)?;
+        Ok(Self::of(discretisation, assembled))
+    }
+
+    fn of(discretisation: Arc<D>, Assembled { equations, checks, inverse }: Assembled) -> Self {
+        Self {
+            components: discretisation.unknowns_of_components(),
+            discretisation,
+            equations: Arc::new(equations),
+            check_equations: Arc::new(checks),
+            inverse: Arc::new(inverse),
+            given: None,
+        }
     }
 
     /// The same equations, with a known measure on panels that are not among those solved for.
     #[must_use]
     pub fn with_known(self, known: &Arc<Known>) -> Self {
-        let at_targets = known.potentials(&self.discretisation, &self.targets);
-        let at_checks = known.potentials(&self.discretisation, &self.checks);
+        let at = |taus: Vec<f64>| known.potentials(&self.discretisation.points(&taus));
+        let (at_targets, at_checks) = (at(self.discretisation.node_taus()), at(self.discretisation.check_taus()));
         Self { given: Some(Given { known: Arc::clone(known), at_targets, at_checks }), ..self }
     }
 
-    /// The system of refined panels; a large one takes over what concerns panels that were kept.
+    /// The system of refined panels, which takes over what concerns panels that were kept.
     ///
     /// # Errors
     /// [`Error::Cancelled`](crate::Error::Cancelled).
-    pub fn refined(self: Arc<Self>, refinement: Refinement, rules: &mut Rules, progress: Progress) -> Result<Self> {
+    pub fn refined(self: Arc<Self>, mut refinement: Refinement, rules: &mut Rules, progress: Progress) -> Result<Self>
+    where
+        D: Refinable,
+    {
         let known = self.given.as_ref().map(|given| Arc::clone(&given.known));
-        let refined = self.refined_equations(refinement, rules, progress)?;
-        Ok(match known {
-            Some(known) => refined.with_known(&known),
-            None => refined,
-        })
-    }
-
-    fn refined_equations(
-        self: Arc<Self>,
-        refinement: Refinement,
-        rules: &mut Rules,
-        progress: Progress,
-    ) -> Result<Self> {
-        let boundary = Arc::clone(&self.discretisation.boundary);
-        let discretisation = Discretisation::new(boundary, refinement.panels.clone(), rules);
+        let discretisation = Arc::new(self.discretisation.refined(&mut refinement, rules, progress)?);
         // What is not needed any more makes room for what comes, unless somebody else holds the system.
-        let (equations, check_equations, inverse) = match Arc::try_unwrap(self) {
+        let (equations, checks, inverse) = match Arc::try_unwrap(self) {
             Ok(old) => (old.equations, old.check_equations, old.inverse),
             Err(old) => (Arc::clone(&old.equations), Arc::clone(&old.check_equations), Arc::clone(&old.inverse)),
         };
-        let two_level = match inverse.as_ref() {
-            Inverse::TwoLevel(two_level) => two_level.refined(&refinement, &discretisation, progress)?,
-            Inverse::Exact(_) => None,
-        };
-        drop(inverse);
-        let (Equations::Fast(fast), Equations::Fast(fast_checks), Some(two_level)) =
-            (equations.as_ref(), check_equations.as_ref(), two_level)
-        else {
-            drop((equations, check_equations));
-            return Self::new(discretisation, progress);
-        };
-        let targets = discretisation.collocation_points();
-        let refined = fast.refined(&refinement, &discretisation, &targets, progress)?;
-        drop(equations);
-        let checks = discretisation.check_points();
-        let refined_checks = fast_checks.refined(&refinement, &discretisation, &checks, progress)?;
-        Ok(Self {
-            components: discretisation.unknowns_of_components().collect(),
-            discretisation: Arc::new(discretisation),
-            targets,
-            checks,
-            equations: Arc::new(Equations::Fast(refined)),
-            check_equations: Arc::new(Equations::Fast(refined_checks)),
-            inverse: Arc::new(Inverse::TwoLevel(two_level)),
-            given: None,
+        let before = Before { refinement, equations, checks, inverse };
+        let refined = Self::of(Arc::clone(&discretisation), assemble(discretisation.as_ref(), Some(before), progress)?);
+        Ok(match known {
+            Some(known) => refined.with_known(&known),
+            None => refined,
         })
     }
 
@@ -193,7 +150,7 @@ impl System {
         guess: Option<Vec<f64>>,
         progress: Progress,
     ) -> Result<SystemSolution> {
-        let mut rhs = problem.source.values(&self.discretisation.boundary, &self.targets);
+        let mut rhs = self.discretisation.values(&problem.source, &self.discretisation.node_taus());
         rhs.extend_from_slice(&problem.charges);
         if let Some(Given { known, at_targets, .. }) = &self.given {
             // One component, whose charge is the measure of the whole.
@@ -216,7 +173,7 @@ impl System {
     fn examined(&self, problem: &Problem, masses: Vec<f64>, constants: Vec<f64>) -> SystemSolution {
         let residuals = self.residuals(problem, &masses, &constants);
         // The branch of vortices may differ from that at infinity.
-        let is_zero = self.discretisation.boundary.bounded && !matches!(problem.source, Source::Vortices(..));
+        let is_zero = self.discretisation.is_bounded() && !matches!(problem.source, Source::Vortices(..));
         let constant_error = if is_zero { constants[0].abs() } else { 0.0 };
         SystemSolution { masses, constants, constant_error, residuals }
     }
@@ -230,7 +187,8 @@ impl System {
         let n = self.discretisation.unknowns();
         // Signs by a multiplicative hash, half of each node and half of its edge: the same at every call.
         let sign = |i: usize| if (i + 1).wrapping_mul(0x9e37_79b9) >> 16 & 1 == 0 { 1.0 } else { -1.0 };
-        let edge = |i: usize| self.discretisation.panels[i / self.discretisation.order.p()].edge;
+        let p = self.discretisation.order().p();
+        let edge = |i: usize| self.discretisation.panel(i / p).edge;
         let mut noise: Vec<f64> = (0..n).map(|i| 0.5 * (sign(i) + sign(edge(i)))).collect();
         noise.resize(n + self.components.len(), 0.0);
         let mut x = vec![0.0; n + self.components.len()];
@@ -266,15 +224,16 @@ impl System {
     }
 
     fn residuals(&self, problem: &Problem, masses: &[f64], constants: &[f64]) -> Vec<f64> {
-        let mut potentials = vec![0.0; self.checks.len()];
+        let taus = self.discretisation.check_taus();
+        let per_panel = taus.len();
+        let mut potentials = vec![0.0; per_panel * self.discretisation.panel_count()];
         self.check_equations.apply(masses, &mut potentials);
         if let Some(given) = &self.given {
             potentials.iter_mut().zip(&given.at_checks).for_each(|(u, known)| *u += known);
         }
-        let values = problem.source.values(&self.discretisation.boundary, &self.checks);
-        let per_panel = self.checks.len() / self.discretisation.panels.len();
-        let mut residuals = Vec::with_capacity(self.discretisation.panels.len());
-        for (panels, &c) in self.discretisation.components.iter().zip(constants) {
+        let values = self.discretisation.values(&problem.source, &taus);
+        let mut residuals = Vec::with_capacity(self.discretisation.panel_count());
+        for (panels, &c) in self.discretisation.components().iter().zip(constants) {
             for q in panels.clone() {
                 let checks = q * per_panel..(q + 1) * per_panel;
                 let misses = checks.map(|i| (potentials[i] + c - values[i]).abs());
@@ -285,10 +244,71 @@ impl System {
     }
 }
 
+/// What was assembled for the panels before.
+struct Before {
+    refinement: Refinement,
+    equations: Arc<Equations>,
+    checks: Arc<Equations>,
+    inverse: Arc<Inverse>,
+}
+
+struct Assembled {
+    equations: Equations,
+    checks: Equations,
+    inverse: Inverse,
+}
+
+/// Equations and inverse as the size asks for; what concerns panels that were kept is taken over.
+fn assemble(discretisation: &dyn Panelled, before: Option<Before>, progress: Progress) -> Result<Assembled> {
+    let n = discretisation.unknowns();
+    let (nodes, checks) = (discretisation.node_taus(), discretisation.check_taus());
+    let (refinement, [old_equations, old_checks], old_inverse) = match before {
+        Some(old) => (Some(old.refinement), [Some(old.equations), Some(old.checks)], Some(old.inverse)),
+        None => (None, [None, None], None),
+    };
+    let two_level = |entries: &dyn Fn(&[usize]) -> Vec<f64>, progress: Progress| {
+        let refined = match (old_inverse.as_deref(), &refinement) {
+            (Some(Inverse::TwoLevel(old)), Some(refinement)) => {
+                old.refined(refinement, discretisation, entries, progress)?
+            }
+            _ => None,
+        };
+        let new = |progress| TwoLevel::new(discretisation, entries, progress);
+        refined.map_or_else(|| new(progress), Ok).map(Inverse::TwoLevel)
+    };
+    if n <= DENSE_UP_TO {
+        let dense = |old: Option<Arc<Equations>>, taus: &[f64], progress: Progress| {
+            let old = match (old.as_deref(), &refinement) {
+                (Some(Equations::Dense(old)), Some(refinement)) => Some((old, refinement)),
+                _ => None,
+            };
+            DenseInfluence::new(discretisation, taus, old, progress)
+        };
+        let equations = dense(old_equations, &nodes, progress)?;
+        let inverse = if n <= FACTOR_UP_TO {
+            let components = discretisation.unknowns_of_components();
+            Inverse::Exact(Lu::new(n + components.len(), equations.bordered(&components)))
+        } else {
+            two_level(&|members| equations.block(members, nodes.len()), progress)?
+        };
+        let checks = dense(old_checks, &checks, progress)?;
+        return Ok(Assembled { equations: Equations::Dense(equations), checks: Equations::Dense(checks), inverse });
+    }
+    let inverse = two_level(&|members| two_level::local_matrix(discretisation, members), progress)?;
+    drop(old_inverse);
+    let fast = |old: Option<Arc<Equations>>, taus: &[f64], progress: Progress| match (old.as_deref(), &refinement) {
+        (Some(Equations::Fast(old)), Some(refinement)) => old.refined(refinement, discretisation, taus, progress),
+        _ => FastInfluence::new(discretisation, taus, discretisation.order().digits, progress),
+    };
+    let equations = Equations::Fast(fast(old_equations, &nodes, progress)?);
+    let checks = Equations::Fast(fast(old_checks, &checks, progress)?);
+    Ok(Assembled { equations, checks, inverse })
+}
+
 /// No iteration gets an equation below this.
 const ROUNDING_PER_ENTRY: f64 = 2e-16;
 
-impl fmt::Debug for System {
+impl<D: Panelled> fmt::Debug for System<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("System").field("unknowns", &self.discretisation.unknowns()).finish_non_exhaustive()
     }

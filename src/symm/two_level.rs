@@ -4,9 +4,9 @@
 //! distribution of mass over the groups, and the constant c). Restricted additive Schwarz: a group is solved with its two
 //! neighbours around it, and only its own part is kept.
 
-use super::discretisation::Discretisation;
 use super::lu::Lu;
 use super::options::Progress;
+use super::panelled::Panelled;
 use super::refinement::Refinement;
 use crate::plane::{Complex64, sort_by_number};
 use crate::{Error, Result};
@@ -41,15 +41,15 @@ struct Group {
 }
 
 impl TwoLevel {
-    /// Groups the panels of a discretisation and factors the blocks.
+    /// Groups the panels of a discretisation and factors the blocks that `local` gives.
     ///
     /// # Errors
     /// [`Error::Cancelled`].
-    pub fn new(discretisation: &Discretisation, progress: Progress) -> Result<Self> {
-        let p = discretisation.order.p();
+    pub fn new(discretisation: &dyn Panelled, local: LocalMatrix, progress: Progress) -> Result<Self> {
+        let p = discretisation.order().p();
         let mut ranges: Vec<Range<usize>> = Vec::new();
-        let mut components = Vec::with_capacity(discretisation.components.len());
-        for own in &discretisation.components {
+        let mut components = Vec::with_capacity(discretisation.components().len());
+        for own in discretisation.components() {
             let (first, panels) = (ranges.len(), own.len());
             let count = (panels * p).div_ceil(GROUP_UNKNOWNS).min(panels / 2).max(1);
             let bounds: Vec<usize> = (0..=count).map(|g| own.start + g * panels / count).collect();
@@ -67,7 +67,7 @@ impl TwoLevel {
             }
             let neighbours = layout.neighbours(g);
             let members = members(&ranges, g, &neighbours);
-            let matrix = local_matrix(discretisation, &members);
+            let matrix = local(&members);
             let own = range.start * p..range.end * p;
             self_potential.push(mean_potential(&matrix, members.len() * p, &shares[own]));
             groups.push(Group::new(p, range, &members, neighbours, Arc::new(Lu::new(members.len() * p, matrix))));
@@ -85,10 +85,11 @@ impl TwoLevel {
     pub fn refined(
         &self,
         refinement: &Refinement,
-        discretisation: &Discretisation,
+        discretisation: &dyn Panelled,
+        local: LocalMatrix,
         progress: Progress,
     ) -> Result<Option<Self>> {
-        let p = discretisation.order.p();
+        let p = discretisation.order().p();
         let panel = |q: usize| refinement.first_from(q);
         let ranges: Vec<Range<usize>> = self.ranges.iter().map(|old| panel(old.start)..panel(old.end)).collect();
         if ranges.iter().zip(&self.ranges).any(|(new, old)| new.len() > MOST_GROWTH * old.len()) {
@@ -100,12 +101,12 @@ impl TwoLevel {
                 return Err(Error::Cancelled);
             }
             let members = members(&ranges, g, &old.neighbours);
-            let local = if members.iter().all(|&q| refinement.kept(q).is_some()) {
+            let factors = if members.iter().all(|&q| refinement.kept(q).is_some()) {
                 Arc::clone(&old.local)
             } else {
-                Arc::new(Lu::new(members.len() * p, local_matrix(discretisation, &members)))
+                Arc::new(Lu::new(members.len() * p, local(&members)))
             };
-            groups.push(Group::new(p, range, &members, old.neighbours.clone(), local));
+            groups.push(Group::new(p, range, &members, old.neighbours.clone(), factors));
         }
         let shares = coarse_shares(discretisation, &ranges);
         let (components, coarse) = (self.components.clone(), Arc::clone(&self.coarse));
@@ -148,27 +149,32 @@ fn members(ranges: &[Range<usize>], g: usize, neighbours: &[usize]) -> Vec<usize
     ranges[g].clone().chain(neighbours.iter().flat_map(|&h| ranges[h].clone())).collect()
 }
 
-/// The equations at the members' nodes in the members' masses.
-fn local_matrix(discretisation: &Discretisation, members: &[usize]) -> Vec<f64> {
-    let p = discretisation.order.p();
-    let targets = discretisation.collocation_points_of(members);
-    let mut matrix = vec![0.0; targets.len() * targets.len()];
-    for (target, row) in targets.iter().zip(matrix.chunks_exact_mut(targets.len())) {
+/// The equations at some panels' nodes in these panels' masses, row-major.
+pub type LocalMatrix<'a> = &'a dyn Fn(&[usize]) -> Vec<f64>;
+
+/// That matrix, where no entries are stored.
+#[must_use]
+pub fn local_matrix(discretisation: &dyn Panelled, members: &[usize]) -> Vec<f64> {
+    let taus = discretisation.node_taus();
+    let (p, size) = (taus.len(), taus.len() * members.len());
+    let mut matrix = vec![0.0; size * size];
+    let places = members.iter().flat_map(|&q| taus.iter().map(move |tau| (q, *tau)));
+    for (place, row) in places.zip(matrix.chunks_exact_mut(size)) {
         for (&q, entries) in members.iter().zip(row.chunks_exact_mut(p)) {
-            discretisation.fill_row(*target, q, entries);
+            discretisation.fill_row(place, q, entries);
         }
     }
     matrix
 }
 
 /// How a group's mass is spread over its nodes on the coarse level: by length.
-fn coarse_shares(discretisation: &Discretisation, ranges: &[Range<usize>]) -> Vec<f64> {
-    let weights = &discretisation.order.panel.weights;
+fn coarse_shares(discretisation: &dyn Panelled, ranges: &[Range<usize>]) -> Vec<f64> {
+    let weights = &discretisation.order().panel.weights;
     let mut shares = Vec::with_capacity(discretisation.unknowns());
     for range in ranges {
-        let panels = &discretisation.panels[range.clone()];
-        let total: f64 = panels.iter().map(|panel| panel.length()).sum();
-        shares.extend(panels.iter().flat_map(|panel| weights.iter().map(move |w| 0.5 * w * panel.length() / total)));
+        let lengths: Vec<f64> = range.clone().map(|q| discretisation.length(q)).collect();
+        let total: f64 = lengths.iter().sum();
+        shares.extend(lengths.iter().flat_map(|length| weights.iter().map(move |w| 0.5 * w * length / total)));
     }
     shares
 }
@@ -202,17 +208,13 @@ const MOST_NEIGHBOURS: usize = 2;
 
 impl Layout {
     fn new(
-        discretisation: &Discretisation,
+        discretisation: &dyn Panelled,
         ranges: &[Range<usize>],
         components: &[Range<usize>],
         shares: &[f64],
     ) -> Self {
-        let p = discretisation.order.p();
-        let points: Vec<Complex64> = discretisation
-            .collocation_points()
-            .iter()
-            .map(|target| discretisation.boundary.vertices[target.corner] + target.offset)
-            .collect();
+        let p = discretisation.order().p();
+        let points = discretisation.points(&discretisation.node_taus());
         let nodes: Vec<Range<usize>> = ranges.iter().map(|range| range.start * p..range.end * p).collect();
         let centers: Vec<Complex64> =
             nodes.iter().map(|nodes| nodes.clone().map(|i| points[i] * shares[i]).sum()).collect();

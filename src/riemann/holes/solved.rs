@@ -5,6 +5,7 @@ use super::field::DomainField;
 use crate::plane::{Complex64, Domain, SmoothCurve};
 use crate::symm::field::Field;
 use crate::symm::options::{Progress, SolveOptions};
+use crate::symm::panelled::Panelled;
 use crate::symm::problem::{Problem, Source};
 use crate::symm::smooth_field::SmoothField;
 use crate::symm::smooth_solve::{SmoothAdapted, solve_smooth_problems};

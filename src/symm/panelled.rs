@@ -1,0 +1,86 @@
+//! What the equations ask of a boundary cut into panels, straight or curved.
+
+use super::options::Progress;
+use super::order::Order;
+use super::panel::Panel;
+use super::problem::Source;
+use super::refinement::Refinement;
+use super::rule::{PanelRule, Rules};
+use super::thin_walls::ThinWalls;
+use crate::plane::Complex64;
+use std::ops::Range;
+
+/// A place on the boundary: the panel and its τ.
+pub type Place = (usize, f64);
+
+/// A boundary cut into panels. The unknowns are the masses at the panels' nodes.
+pub trait Panelled: Send + Sync {
+    /// Degrees and distances.
+    fn order(&self) -> &Order;
+    /// Panels in boundary order from vertex 0, component by component.
+    fn panel_count(&self) -> usize;
+    /// One of them.
+    fn panel(&self, q: usize) -> &Panel;
+    /// How its masses act.
+    fn rule(&self, q: usize) -> &PanelRule;
+    /// The panels of each component.
+    fn components(&self) -> &[Range<usize>];
+    /// Whether the first component is around the region.
+    fn is_bounded(&self) -> bool;
+    /// Where the outside is thin.
+    fn walls(&self) -> &ThinWalls;
+    /// Length of a panel (scaled units).
+    fn length(&self, q: usize) -> f64;
+    /// The vertex from which a panel is measured.
+    fn vertex(&self, q: usize) -> Complex64;
+    /// The point of a panel at `s`, less that vertex: so that distances near the vertex keep their digits.
+    fn offset(&self, q: usize, s: f64) -> Complex64;
+    /// Places s of a panel around all of which a disk holds it.
+    fn extent(&self, q: usize) -> Vec<f64>;
+    /// τ of every panel where the equation was not asked to hold, but is checked.
+    fn check_taus(&self) -> Vec<f64>;
+    /// g of a right-hand side at the given τ of every panel.
+    fn values(&self, source: &Source, taus: &[f64]) -> Vec<f64>;
+    /// Writes ∫ log|x − y| dμ(y) at a place for a unit mass at each node of the panels from `first` on into `row`, whose
+    /// length is a multiple of p.
+    fn fill_row(&self, place: Place, first: usize, row: &mut [f64]);
+
+    /// Number of unknown masses.
+    fn unknowns(&self) -> usize {
+        self.panel_count() * self.order().p()
+    }
+
+    /// The unknowns of each component.
+    fn unknowns_of_components(&self) -> Vec<Range<usize>> {
+        let p = self.order().p();
+        self.components().iter().map(|panels| panels.start * p..panels.end * p).collect()
+    }
+
+    /// τ of the nodes.
+    fn node_taus(&self) -> Vec<f64> {
+        self.order().panel.nodes.iter().map(|t| 0.5 * (t + 1.0)).collect()
+    }
+
+    /// The boundary at the given τ of every panel.
+    fn points(&self, taus: &[f64]) -> Vec<Complex64> {
+        let at = |q: usize| taus.iter().map(move |tau| self.point((q, *tau)));
+        (0..self.panel_count()).flat_map(at).collect()
+    }
+
+    /// The boundary at a place.
+    fn point(&self, (q, tau): Place) -> Complex64 {
+        self.vertex(q) + self.offset(q, self.panel(q).distance_at(tau))
+    }
+}
+
+/// Panels that can be halved where the equation does not hold yet.
+pub trait Refinable: Panelled + Sized {
+    /// The panels to halve, for residuals (one a panel) beside an acceptable one.
+    fn refinement(&self, residuals: &[f64], acceptable: f64) -> Refinement;
+
+    /// The refined panels; if they need more halving to be seen well, that goes into the refinement.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    fn refined(&self, refinement: &mut Refinement, rules: &mut Rules, progress: Progress) -> crate::Result<Self>;
+}
