@@ -6,7 +6,7 @@ use super::solved_region::{Evidence, SolvedRegion};
 use crate::plane::{BoundaryPoint, Complex64, CurvedOutline, Region};
 use crate::stored::{Reader, Writer};
 use crate::symm::curved_solution::CurvedSolution;
-use crate::symm::curved_solve::solve_curved;
+use crate::symm::curved_solve::{solve_curved, solve_curved_again};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
@@ -79,7 +79,7 @@ impl SolvedRegion for SolvedEdges {
         progress: Progress,
     ) -> Result<Arc<dyn SolvedRegion>> {
         let region = self.region.with_center(center - self.origin, self.region.toward().point)?;
-        let solution = solve_curved(&self.outline, region.center(), options, progress)?;
+        let solution = solve_curved_again(&self.solution, region.center(), options, progress)?;
         Ok(Arc::new(Self { origin: self.origin, region, outline: Arc::clone(&self.outline), solution }))
     }
 

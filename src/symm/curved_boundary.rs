@@ -50,18 +50,24 @@ pub struct CurvedTarget {
 
 /// |z''/z'| times half a panel's parameter range is at most this: its curve is nearly straight, and no other point of the edge's
 /// continuation meets a target near it.
-pub const TAME: f64 = 0.25;
+pub const TAME: f64 = 0.5;
 /// Neighbours are at most so many times as long.
 const BALANCE: f64 = 2.5;
 /// Chords of an edge.
 const CHORDS: usize = 16;
-/// Singular powers of the corner variable that are not whole are at least this.
-const SMOOTH_POWER: f64 = 7.0;
+/// Singular powers of the corner variable that are not whole are at least this for each digit of the map (measured: more crowds the nodes,
+/// less converges slowly).
+const POWER_PER_DIGIT: f64 = 0.5;
+/// Digits that the quadrature has more than the map.
+pub const ROUND_DIGITS: f64 = 3.0;
+/// The least and the most that serves.
+const POWERS: [f64; 2] = [2.0, 6.0];
 
 impl CurvedBoundary {
-    /// Scales an outline to size about 1.
+    /// Scales an outline to size about 1, for quadrature of so many digits.
     #[must_use]
-    pub fn new(outline: &CurvedOutline) -> Self {
+    pub fn new(outline: &CurvedOutline, digits: f64) -> Self {
+        let smooth_power = (POWER_PER_DIGIT * (digits - ROUND_DIGITS)).clamp(POWERS[0], POWERS[1]);
         let unit = (-outline.size().log2().round()).exp2();
         let mut edges: Vec<Edge> = outline.edges().iter().map(|edge| edge.scaled(unit.into())).collect();
         let mut alpha: Vec<f64> = (0..edges.len()).map(|corner| outline.alpha(corner)).collect();
@@ -81,7 +87,7 @@ impl CurvedBoundary {
                 let straight = is_straight(corner) && is_straight((corner + n - 1) % n);
                 // There the parameter is about the square root of the distance.
                 let alpha = if slow { 0.5 * alpha[corner] } else { alpha[corner] };
-                let exponent = exponent(alpha, straight);
+                let exponent = exponent(alpha, straight, smooth_power);
                 arms.push(Arm { curve, corner, edge: k, outgoing, exponent, power: alpha.recip(), slow });
             }
         }
@@ -226,10 +232,14 @@ impl CurvedBoundary {
         for arm in &self.arms {
             panels.push(self.panel(arm, 0.0, 0.5));
         }
-        let wild = |panel: &Panel| {
-            !self.is_slow(panel) && self.bend(panel) > TAME || self.length(panel) > self.distance(panel, center)
-        };
-        self.balanced(split_where(panels, &wild))
+        let wild = |panel: &Panel| !self.is_slow(panel) && self.bend(panel) > TAME;
+        self.facing(split_where(panels, &wild), center)
+    }
+
+    /// Halves panels until none is longer than its distance from the center, or much longer than its neighbour.
+    #[must_use]
+    pub fn facing(&self, panels: Vec<Panel>, center: Complex64) -> Vec<Panel> {
+        self.balanced(split_where(panels, &|panel| self.length(panel) > self.distance(panel, center)))
     }
 
     /// Halves panels until none is much longer than its neighbour.
@@ -271,11 +281,11 @@ fn split_where(panels: Vec<Panel>, wild: &dyn Fn(&Panel) -> bool) -> Vec<Panel> 
 /// Between straight edges θ is analytic in s^(1/α). Between curved ones it has the powers k/α + l as well, and logarithms where
 /// these meet (R. S. Lehman, Pacific J. Math. 7, 1957): a = nα makes the first kind whole, and n so large that the others
 /// start at τ^n(1+α), which polynomials follow closely.
-fn exponent(alpha: f64, straight: bool) -> f64 {
+fn exponent(alpha: f64, straight: bool, smooth_power: f64) -> f64 {
     if straight {
         let a = if alpha > 1.0 { alpha } else { alpha * (1.0 / alpha + 1e-9).floor() };
         return if (a - 1.0).abs() < 1e-9 { 1.0 } else { a };
     }
     // In a spike nodes are not crowded towards its mouth.
-    alpha * (SMOOTH_POWER / (1.0 + alpha)).ceil().max((1.0 / alpha + 1e-9).floor())
+    alpha * (smooth_power / (1.0 + alpha) - 1e-9).ceil().max((1.0 / alpha + 1e-9).floor())
 }

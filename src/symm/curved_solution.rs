@@ -1,21 +1,24 @@
 //! A solved boundary of analytic edges: θ along it, and the map region → disk inside.
 
 use super::curved_cauchy::{self, CauchyPart, Sample, Sampled};
+use super::curved_discretisation::CurvedDiscretisation;
 use super::curved_kernel::CurvedPanel;
-use super::curved_system::CurvedDiscretisation;
 use super::legendre::{MAX_NODES, complex_integral, complex_sum, legendre};
 use super::log_moments::bernstein;
-use super::options::Stop;
+use super::options::{Progress, Stop};
 use super::panel::Panel;
+use super::system::System;
 use crate::plane::Complex64;
 use crate::{Error, Result};
 use std::f64::consts::TAU;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// A solved equation, with its evidence.
 #[derive(Clone, Debug)]
 pub struct CurvedSolution {
-    discretisation: CurvedDiscretisation,
+    discretisation: Arc<CurvedDiscretisation>,
+    /// Ready for another center; of a stored solution, assembled when first asked for.
+    system: OnceLock<Arc<System<CurvedDiscretisation>>>,
     /// In scaled units.
     center: Complex64,
     /// Mass at each node, as solved.
@@ -60,6 +63,8 @@ const WHOLE: f64 = 1e-12;
 const CONTINUED: f64 = 1.1;
 /// The same for the way back.
 const CONTINUED_BACK: f64 = 1.08;
+/// |f'| above which the way back is polished.
+const WIDE: f64 = 4.0;
 /// As far beside a corner, in parameters, its derivative is told.
 const BESIDE: f64 = 1e-14;
 /// Points as near to the curve as this are on it, in units of the region's size.
@@ -69,7 +74,7 @@ impl CurvedSolution {
     /// From node masses.
     #[must_use]
     pub fn new(
-        discretisation: CurvedDiscretisation,
+        discretisation: Arc<CurvedDiscretisation>,
         center: Complex64,
         masses: Vec<f64>,
         residual: f64,
@@ -96,6 +101,7 @@ impl CurvedSolution {
         }
         Self {
             discretisation,
+            system: OnceLock::new(),
             center,
             masses,
             charges,
@@ -107,6 +113,25 @@ impl CurvedSolution {
             error_estimate,
             stop,
         }
+    }
+
+    /// With the system that gave it.
+    #[must_use]
+    pub fn with_system(self, system: Arc<System<CurvedDiscretisation>>) -> Self {
+        Self { system: OnceLock::from(system), ..self }
+    }
+
+    /// The system, ready for another center.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`], if it must be assembled.
+    pub fn system(&self, progress: Progress) -> Result<Arc<System<CurvedDiscretisation>>> {
+        if let Some(system) = self.system.get() {
+            return Ok(Arc::clone(system));
+        }
+        let system = Arc::new(System::new(Arc::clone(&self.discretisation), progress)?);
+        // If another thread was first, its is the same.
+        Ok(Arc::clone(self.system.get_or_init(|| system)))
     }
 
     fn parts(&self) -> &[CauchyPart] {
@@ -402,9 +427,17 @@ impl CurvedSolution {
             return Some(found);
         }
         match curved_cauchy::from_disk(self, self.parts(), w) {
-            Some((z, slope, one)) if (one - 1.0).norm() < WHOLE => Some((z, slope.inv())),
+            Some((z, slope, one)) if (one - 1.0).norm() < WHOLE => Some(self.polished(w, z, slope.inv())),
             _ => self.marched(w),
         }
+    }
+
+    /// Where the disk is wide against the region, rounding in z weighs as much more: a step of Newton's method takes it away.
+    fn polished(&self, w: Complex64, z: Complex64, slope: Complex64) -> (Complex64, Complex64) {
+        if slope.norm() < WIDE {
+            return (z, slope);
+        }
+        self.to_disk(z).map_or((z, slope), |(f, slope)| (z + (w - f) / slope, slope))
     }
 
     /// Beside the circle: the complex measure is inverted.

@@ -1,8 +1,8 @@
 //! Solutions on curved edges as bytes: panels and masses; everything else follows from the region.
 
 use super::curved_boundary::CurvedBoundary;
+use super::curved_discretisation::CurvedDiscretisation;
 use super::curved_solution::CurvedSolution;
-use super::curved_system::CurvedDiscretisation;
 use super::legendre::MAX_NODES;
 use super::order::Order;
 use super::panel::Panel;
@@ -42,7 +42,7 @@ impl CurvedSolution {
         if !(2..=MAX_NODES).contains(&p) || !DIGITS.contains(&digits) {
             return Err(damaged("it is resolved in no possible way"));
         }
-        let boundary = Arc::new(CurvedBoundary::new(outline));
+        let boundary = Arc::new(CurvedBoundary::new(outline, digits));
         let mut panels = Vec::new();
         for arm in 0..boundary.arms.len() {
             restore_panels(&boundary, arm, p, from, &mut panels)?;
@@ -50,7 +50,7 @@ impl CurvedSolution {
         let masses = from.numbers(panels.len() * p)?;
         let center = center * boundary.unit;
         let discretisation = CurvedDiscretisation::new(boundary, &panels, &mut Rules::new(Order::new(p, digits)));
-        let solution = Self::new(discretisation, center, masses, residual, error_estimate, stop).checked()?;
+        let solution = Self::new(Arc::new(discretisation), center, masses, residual, error_estimate, stop).checked()?;
         if solution.is_seen_from_center() {
             Ok(solution)
         } else {

@@ -25,8 +25,8 @@
 //! [`smooth`] does all this, more simply, for smooth curves, on a [`smooth_system`].
 //!
 //! [`curved_solve`] does it for boundaries of analytic edges: the parameter of an edge takes the place of arc length
-//! ([`curved_boundary`]), and the panels' rules that of its logarithm ([`curved_kernel`]); [`curved_system`] is dense, and
-//! [`curved_solution`] the answer, with [`curved_cauchy`] for many points.
+//! ([`curved_boundary`]), and the panels' rules that of its logarithm ([`curved_kernel`], [`curved_discretisation`]);
+//! [`curved_solution`] is the answer, with [`curved_cauchy`] for many points. To the equations both are [`panelled`].
 //!
 //! [`stored`] keeps solutions as bytes.
 //!
@@ -37,11 +37,11 @@ mod clusters;
 pub(crate) mod correspondence;
 mod curved_boundary;
 mod curved_cauchy;
+mod curved_discretisation;
 mod curved_kernel;
 pub(crate) mod curved_solution;
 pub(crate) mod curved_solve;
 mod curved_stored;
-mod curved_system;
 mod discretisation;
 pub(crate) mod far_center;
 mod fast_log;

@@ -84,6 +84,15 @@ impl Source {
         }
     }
 
+    /// g at a vertex plus an offset; of vortices, the principal value.
+    #[must_use]
+    pub fn value_at(&self, vertex: Complex64, offset: Complex64) -> f64 {
+        match *self {
+            Self::Log(a) => 0.5 * (vertex - a + offset).norm_sqr().ln(),
+            _ => self.at(vertex + offset).0.re,
+        }
+    }
+
     /// The sum of this and a multiple of another. Only of streams is it more than one of the two.
     #[must_use]
     pub fn and(self, other: Self, weight: f64) -> Self {

@@ -2,7 +2,8 @@
 
 use super::report;
 use crate::support::fixture;
-use conformal_warp::{Complex64, CurvedOutline, Edge, parse_shape};
+use crate::support::{largest, solve, spread_points};
+use conformal_warp::{Complex64, CurvedOutline, Edge, Region, RiemannMap, SolveOptions, parse_shape};
 use std::collections::BTreeMap;
 
 #[derive(serde::Deserialize)]
@@ -82,4 +83,48 @@ fn check_sides(name: &str, outline: &CurvedOutline) {
             assert!((found - side).abs() < 0.02 * reach, "{name}, edge {k}: {found} {side}");
         }
     }
+}
+
+/// The point of a grid that lies deepest inside.
+fn deepest(outline: &CurvedOutline) -> Complex64 {
+    const STEPS: u32 = 40;
+    let (low, high) = outline.polygon().bounds();
+    let place = |i: u32, j: u32| {
+        let [x, y] = [i, j].map(|k| (f64::from(k) + 0.5) / f64::from(STEPS));
+        Complex64::new(low.re + (high.re - low.re) * x, low.im + (high.im - low.im) * y)
+    };
+    let all = (0..STEPS).flat_map(|i| (0..STEPS).map(move |j| place(i, j)));
+    let depth = |z: &Complex64| outline.signed_distance(*z);
+    all.max_by(|a, b| depth(a).total_cmp(&depth(b))).unwrap()
+}
+
+/// Each is solved to what was asked, and against a finer solve the error is below the estimate.
+#[test]
+fn icons_are_solved_as_they_are_drawn() {
+    let (mut solved, mut unknowns, mut nearest) = (0, 0, 0.0);
+    for Icon { name, text, .. } in icons() {
+        let Ok(shape) = parse_shape(&text, 1.0) else { continue };
+        let Ok(outline) = CurvedOutline::new(&shape.outline) else { continue };
+        let region = Region::from_edges(&shape.outline, deepest(&outline), shape.outline[0].from()).unwrap();
+        let options = SolveOptions { tolerance: 1e-6, ..SolveOptions::default() };
+        let map =
+            RiemannMap::solve(&region, &options, &mut |_, _| true).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let estimate = map.error_estimate();
+        assert!(estimate <= 1e-6, "{name}: {estimate:e}");
+        let finer = solve(&region, 1e-9);
+        let points = spread_points(&region, 30);
+        let images = finer.to_disk(&points);
+        let there = largest(map.to_disk(&points).iter().zip(&images).map(|(a, b)| (a - b).norm()));
+        let back = map.from_disk(&images).into_iter().zip(&points).zip(finer.derivative(&points));
+        let back = largest(back.map(|((z, exact), slope)| (z - exact).norm() * slope.norm()));
+        let error = there.max(back);
+        assert!(error <= estimate + finer.error_estimate(), "{name}: {error:e}, estimate {estimate:e}");
+        solved += 1;
+        unknowns += map.unknowns();
+        nearest = f64::max(nearest, error / estimate);
+    }
+    report(&format!(
+        "icons: {solved} solved to 1e-6 with {unknowns} unknowns, largest error {nearest:.2} of its estimate"
+    ));
+    assert!(solved >= 40, "{solved}");
 }
