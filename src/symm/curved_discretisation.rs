@@ -27,8 +27,8 @@ pub struct CurvedDiscretisation {
     /// Degrees and distances.
     pub order: Order,
     walls: ThinWalls,
-    /// One component.
-    components: [Range<usize>; 1],
+    /// The panels of the one component.
+    component: Range<usize>,
 }
 
 /// Times that panels are halved because targets near them do not find their parameter.
@@ -48,8 +48,8 @@ impl CurvedDiscretisation {
         }));
         let place = |(panel, rule): (&Panel, &Arc<PanelRule>)| CurvedPanel::new(&boundary, panel, rule, &order);
         let panels: Vec<CurvedPanel> = panels.iter().zip(&panel_rules).map(place).collect();
-        let components = [0..panels.len()];
-        Self { boundary, panels, rules: panel_rules, order, walls, components }
+        let component = 0..panels.len();
+        Self { boundary, panels, rules: panel_rules, order, walls, component }
     }
 
     /// The same, panels being halved until all nodes and checks that lie near one find their parameter there.
@@ -118,7 +118,7 @@ impl Panelled for CurvedDiscretisation {
     }
 
     fn components(&self) -> &[Range<usize>] {
-        &self.components
+        std::slice::from_ref(&self.component)
     }
 
     fn is_bounded(&self) -> bool {

@@ -5,11 +5,11 @@ use super::discretisation::Discretisation;
 use super::options::{Progress, SolveOptions, Stop};
 use super::order::Order;
 use super::panel::{Boundary, Panel, halved_towards, initial_panels};
-use super::panelled::{Panelled, Refinable};
+use super::panelled::Refinable;
 use super::problem::Problem;
 use super::rule::Rules;
 use super::solution::{ERROR_PER_RESIDUAL, estimate_of, finish};
-use super::system::{System, SystemSolution};
+use super::system::{System, SystemEquations, SystemSolution};
 use crate::plane::{Complex64, Domain, Region};
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -134,7 +134,7 @@ pub(super) fn seen_from(
 
 /// Problems solved together, on panels fine enough for all of them.
 #[derive(Debug)]
-pub struct Adapted<D: Panelled = Discretisation> {
+pub struct Adapted<D = Discretisation> {
     /// The system of the last round.
     pub system: Arc<System<D>>,
     /// What was solved for.
@@ -148,7 +148,7 @@ pub struct Adapted<D: Panelled = Discretisation> {
 }
 
 /// Solves, and halves panels and solves again until the estimate meets the tolerance.
-pub(super) fn adapt<D: Refinable>(
+pub(super) fn adapt<D: Refinable + 'static>(
     mut system: Arc<System<D>>,
     mut rules: Rules,
     problems: Vec<Problem>,
@@ -208,8 +208,8 @@ pub(super) fn adapt<D: Refinable>(
     }
 }
 
-fn solve_all<D: Panelled>(
-    system: &System<D>,
+fn solve_all(
+    system: &SystemEquations,
     problems: &[Problem],
     tolerance: f64,
     guesses: Option<Vec<Vec<f64>>>,

@@ -14,13 +14,19 @@ use super::rule::Rules;
 use super::two_level::{self, TwoLevel};
 use crate::Result;
 use std::fmt;
-use std::ops::Range;
+use std::ops::{Deref, Range};
 use std::sync::Arc;
 
-/// The matrix and its (approximate) inverse: one constant and one total mass a component border it.
+/// Panels with their equations.
 pub struct System<D = Discretisation> {
     /// The panels.
     pub discretisation: Arc<D>,
+    equations: SystemEquations,
+}
+
+/// The matrix and its (approximate) inverse: one constant and one total mass a component border it.
+pub struct SystemEquations {
+    discretisation: Arc<dyn Panelled>,
     /// The unknowns of each component.
     components: Vec<Range<usize>>,
     equations: Arc<Equations>,
@@ -86,34 +92,24 @@ const DENSE_UP_TO: usize = 2000;
 /// Iterations after which something is wrong; 4 to 40 are usual.
 const MOST_ITERATIONS: usize = 200;
 
-impl<D: Panelled> System<D> {
+impl<D: Panelled + 'static> System<D> {
     /// Assembles and factors what the size asks for.
     ///
     /// # Errors
     /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn new(discretisation: impl Into<Arc<D>>, progress: Progress) -> Result<Self> {
-        let discretisation = discretisation.into();
-        let assembled = assemble(discretisation.as_ref(), None, progress)?;
-        Ok(Self::of(discretisation, assembled))
+        Self::after(None, discretisation.into(), progress)
     }
 
-    fn of(discretisation: Arc<D>, Assembled { equations, checks, inverse }: Assembled) -> Self {
-        Self {
-            components: discretisation.unknowns_of_components(),
-            discretisation,
-            equations: Arc::new(equations),
-            check_equations: Arc::new(checks),
-            inverse: Arc::new(inverse),
-            given: None,
-        }
+    fn after(before: Option<Before>, discretisation: Arc<D>, progress: Progress) -> Result<Self> {
+        let equations = SystemEquations::new(Arc::<D>::clone(&discretisation), before, progress)?;
+        Ok(Self { discretisation, equations })
     }
 
     /// The same equations, with a known measure on panels that are not among those solved for.
     #[must_use]
     pub fn with_known(self, known: &Arc<Known>) -> Self {
-        let at = |taus: Vec<f64>| known.potentials(&self.discretisation.points(&taus));
-        let (at_targets, at_checks) = (at(self.discretisation.node_taus()), at(self.discretisation.check_taus()));
-        Self { given: Some(Given { known: Arc::clone(known), at_targets, at_checks }), ..self }
+        Self { equations: self.equations.with_known(known), ..self }
     }
 
     /// The system of refined panels, which takes over what concerns panels that were kept.
@@ -124,19 +120,50 @@ impl<D: Panelled> System<D> {
     where
         D: Refinable,
     {
-        let known = self.given.as_ref().map(|given| Arc::clone(&given.known));
-        let discretisation = Arc::new(self.discretisation.refined(&mut refinement, rules, progress)?);
+        let known = self.equations.given.as_ref().map(|given| Arc::clone(&given.known));
+        let discretisation = self.discretisation.refined(&mut refinement, rules, progress)?;
         // What is not needed any more makes room for what comes, unless somebody else holds the system.
         let (equations, checks, inverse) = match Arc::try_unwrap(self) {
-            Ok(old) => (old.equations, old.check_equations, old.inverse),
-            Err(old) => (Arc::clone(&old.equations), Arc::clone(&old.check_equations), Arc::clone(&old.inverse)),
+            Ok(old) => (old.equations.equations, old.equations.check_equations, old.equations.inverse),
+            Err(shared) => {
+                let old = &shared.equations;
+                (Arc::clone(&old.equations), Arc::clone(&old.check_equations), Arc::clone(&old.inverse))
+            }
         };
         let before = Before { refinement, equations, checks, inverse };
-        let refined = Self::of(Arc::clone(&discretisation), assemble(discretisation.as_ref(), Some(before), progress)?);
+        let refined = Self::after(Some(before), Arc::new(discretisation), progress)?;
         Ok(match known {
             Some(known) => refined.with_known(&known),
             None => refined,
         })
+    }
+}
+
+impl<D> Deref for System<D> {
+    type Target = SystemEquations;
+
+    fn deref(&self) -> &SystemEquations {
+        &self.equations
+    }
+}
+
+impl SystemEquations {
+    fn new(discretisation: Arc<dyn Panelled>, before: Option<Before>, progress: Progress) -> Result<Self> {
+        let Assembled { equations, checks, inverse } = assemble(discretisation.as_ref(), before, progress)?;
+        Ok(Self {
+            components: discretisation.unknowns_of_components(),
+            discretisation,
+            equations: Arc::new(equations),
+            check_equations: Arc::new(checks),
+            inverse: Arc::new(inverse),
+            given: None,
+        })
+    }
+
+    fn with_known(self, known: &Arc<Known>) -> Self {
+        let at = |taus: Vec<f64>| known.potentials(&self.discretisation.points(&taus));
+        let (at_targets, at_checks) = (at(self.discretisation.node_taus()), at(self.discretisation.check_taus()));
+        Self { given: Some(Given { known: Arc::clone(known), at_targets, at_checks }), ..self }
     }
 
     /// Solves a problem until the equations hold to `tolerance` in the mean, from `guess` if there is one.
@@ -308,8 +335,8 @@ fn assemble(discretisation: &dyn Panelled, before: Option<Before>, progress: Pro
 /// No iteration gets an equation below this.
 const ROUNDING_PER_ENTRY: f64 = 2e-16;
 
-impl<D: Panelled> fmt::Debug for System<D> {
+impl<D> fmt::Debug for System<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("System").field("unknowns", &self.discretisation.unknowns()).finish_non_exhaustive()
+        f.debug_struct("System").field("unknowns", &self.equations.discretisation.unknowns()).finish_non_exhaustive()
     }
 }

@@ -194,6 +194,27 @@ fn disks_of_arcs_are_disks() {
     }
 }
 
+/// More unknowns than a stored matrix serves: products by expansions, and the panels kept for another center.
+#[test]
+fn a_disk_of_many_arcs_is_a_disk() {
+    let map = solve(&region(&circle(100), ORIGIN), 1e-11);
+    assert!(map.unknowns() > 2500, "{}", map.unknowns());
+    let moved = map.with_center(c(0.4, 0.3), c(1.0, 0.0), &mut |_, _| true).unwrap();
+    assert_eq!(moved.unknowns(), map.unknowns());
+    for (map, center) in [(&map, ORIGIN), (&moved, c(0.4, 0.3))] {
+        let turn = (1.0 - center.conj()) / (1.0 - center);
+        let exact = |z: Complex64| {
+            let below = 1.0 - center.conj() * z;
+            (turn * (z - center) / below, turn * (1.0 - center.norm_sqr()) / (below * below))
+        };
+        let points: Vec<_> = (0..40).map(|k| Complex64::from_polar(1.0 - 0.8f64.powi(k), f64::from(k))).collect();
+        let [forth, back, slope] = errors_of(map, &points, exact);
+        let estimate = map.error_estimate();
+        assert!(estimate <= 1e-11 && forth.max(back) <= estimate, "{center}: {forth:e} {back:e} {estimate:e}");
+        assert!(slope < 1e-9, "{center}: {slope:e}");
+    }
+}
+
 #[test]
 fn ellipse_of_arcs_is_an_ellipse() {
     let arc = |k: u32| Edge::Arc(EllipticArc::new(ORIGIN, c(2.0, 0.0), c(0.0, 1.0), f64::from(k), 1.0));
