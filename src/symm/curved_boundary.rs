@@ -1,6 +1,7 @@
 //! A boundary of analytic edges cut into panels: each runs from a corner over the parameter of its edge.
 
 use super::panel::Panel;
+use super::problem::Target;
 use crate::plane::{Complex64, CurvedOutline, Edge, Polygon};
 
 /// Half an edge, seen from the corner where it starts.
@@ -35,17 +36,6 @@ pub struct CurvedBoundary {
     halves: bool,
     /// Chords of the boundary, to see what is behind a panel; none if they cross.
     chords: Option<Polygon>,
-}
-
-/// A boundary point, held as a parameter of an arm and an offset from the arm's corner.
-#[derive(Clone, Copy, Debug)]
-pub struct CurvedTarget {
-    /// The arm.
-    pub arm: usize,
-    /// Parameter from the corner.
-    pub s: f64,
-    /// The point minus the corner.
-    pub offset: Complex64,
 }
 
 /// |z''/z'| times half a panel's parameter range is at most this: its curve is nearly straight, and no other point of the edge's
@@ -153,25 +143,18 @@ impl CurvedBoundary {
         2 * panel.edge + usize::from(!panel.outgoing)
     }
 
-    /// The point of a panel at parameter s of its arm.
+    /// A point of the panel `from`, given as a parameter of `panel`'s arm if it lies on the same edge, and as a step from the
+    /// arm's corner.
     #[must_use]
-    pub fn target(&self, panel: &Panel, s: f64) -> CurvedTarget {
-        let arm = Self::arm_of(panel);
-        CurvedTarget { arm, s, offset: self.arms[arm].curve.from_start(s.into()) }
-    }
-
-    /// The target, given as a parameter of `panel`'s arm if it lies on the same edge, and as a step from the arm's corner.
-    #[must_use]
-    pub fn seen_from(&self, panel: &Panel, target: &CurvedTarget) -> (Option<f64>, Complex64) {
-        let (from, own) = (&self.arms[target.arm], self.arm(panel));
-        if target.arm == Self::arm_of(panel) {
+    pub fn seen_from(&self, panel: &Panel, from: &Panel, target: &Target) -> (Option<f64>, Complex64) {
+        if Self::arm_of(from) == Self::arm_of(panel) {
             return (Some(target.s), target.offset);
         }
-        if from.edge == own.edge {
-            return (Some(1.0 - target.s), own.curve.from_start((1.0 - target.s).into()));
+        if from.edge == panel.edge {
+            let s = 1.0 - target.s;
+            return (Some(s), self.arm(panel).curve.from_start(s.into()));
         }
-        let apart = self.vertices[from.corner] - self.vertices[own.corner];
-        (None, apart + target.offset)
+        (None, self.vertices[from.corner] - self.vertices[panel.corner] + target.offset)
     }
 
     /// Length of a panel, by its chord.

@@ -1,12 +1,12 @@
 //! Symm's equation on curved panels: unknowns, places, matrix rows.
 
-use super::curved_boundary::{CurvedBoundary, CurvedTarget};
+use super::curved_boundary::CurvedBoundary;
 use super::curved_kernel::CurvedPanel;
 use super::options::Progress;
 use super::order::Order;
 use super::panel::Panel;
-use super::panelled::{Panelled, Place, Refinable};
-use super::problem::Source;
+use super::panelled::{Panelled, Refinable};
+use super::problem::{Source, Target};
 use super::refinement::Refinement;
 use super::rule::{PanelRule, Rules};
 use super::thin_walls::ThinWalls;
@@ -78,25 +78,19 @@ impl CurvedDiscretisation {
     fn blind(&self, progress: Progress) -> Result<Vec<bool>> {
         let mut blind = vec![false; self.panels.len()];
         let taus = [self.node_taus(), self.check_taus()].concat();
-        let count = self.panels.len() * taus.len();
-        for i in 0..count {
-            if i % REPORT_EVERY == 0 && !progress("assemble", i as f64 / count as f64) {
+        let targets = self.targets(&taus);
+        for (i, target) in targets.iter().enumerate() {
+            if i % REPORT_EVERY == 0 && !progress("assemble", i as f64 / targets.len() as f64) {
                 return Err(Error::Cancelled);
             }
-            let target = self.target((i / taus.len(), taus[i % taus.len()]));
             for (q, panel) in self.panels.iter().enumerate() {
-                let (known, step) = self.boundary.seen_from(&panel.panel, &target);
+                let (known, step) = self.boundary.seen_from(&panel.panel, self.panel(target.panel), target);
                 if panel.see(&self.rules[q], &self.order, known, step).is_none() {
                     blind[q] = true;
                 }
             }
         }
         Ok(blind)
-    }
-
-    fn target(&self, (q, tau): Place) -> CurvedTarget {
-        let panel = &self.panels[q].panel;
-        self.boundary.target(panel, panel.distance_at(tau))
     }
 }
 
@@ -154,21 +148,17 @@ impl Panelled for CurvedDiscretisation {
         vec![end, inner, 1.0 - inner, 1.0 - end]
     }
 
-    fn values(&self, source: &Source, taus: &[f64]) -> Vec<f64> {
-        let value = |place: Place| {
-            let target = self.target(place);
-            source.value_at(self.vertex(place.0), target.offset)
-        };
-        (0..self.panels.len()).flat_map(|q| taus.iter().map(move |tau| (q, *tau))).map(value).collect()
+    fn values(&self, source: &Source, targets: &[Target]) -> Vec<f64> {
+        targets.iter().map(|target| source.value_at(self.vertex(target.panel), target.offset)).collect()
     }
 
-    fn fill_row(&self, place: Place, first: usize, row: &mut [f64]) {
+    fn fill_row(&self, target: &Target, first: usize, row: &mut [f64]) {
         row.fill(0.0);
-        let target = self.target(place);
+        let from = self.panel(target.panel);
         for (k, entries) in row.chunks_exact_mut(self.order.p()).enumerate() {
             let q = first + k;
             let panel = &self.panels[q];
-            let seen = self.boundary.seen_from(&panel.panel, &target);
+            let seen = self.boundary.seen_from(&panel.panel, from, target);
             if !panel.add_row(&self.rules[q], &self.order, seen, entries) {
                 // No residual is below this.
                 entries.fill(f64::NAN);

@@ -195,8 +195,8 @@ impl CurvedSolution {
         let stretch = |q: usize| boundary.length(self.panel(q)) / (TAU * (self.starts[q + 1] - self.starts[q]));
         let (q, worst) = whole.map(|q| (q, stretch(q))).max_by(|a, b| a.1.total_cmp(&b.1))?;
         let panel = self.panel(q);
-        let target = boundary.target(panel, 0.5 * (panel.start + panel.end));
-        (worst > OFTEN).then(|| boundary.vertices[panel.corner] + target.offset)
+        let middle = Complex64::from(0.5 * (panel.start + panel.end));
+        (worst > OFTEN).then(|| boundary.vertices[panel.corner] + boundary.arm(panel).curve.from_start(middle))
     }
 
     /// |f'(center)|⁻¹ in plane units.

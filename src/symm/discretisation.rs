@@ -3,7 +3,7 @@
 use super::options::Progress;
 use super::order::Order;
 use super::panel::{Boundary, Panel};
-use super::panelled::{Panelled, Place, Refinable};
+use super::panelled::{Panelled, Refinable};
 use super::problem::{Source, Target};
 use super::refinement::Refinement;
 use super::rule::{PanelRule, Rules};
@@ -48,19 +48,9 @@ impl Discretisation {
         Self { boundary, panels, components, rules: panel_rules, order, walls }
     }
 
-    /// The point at τ on a panel.
-    #[must_use]
-    pub fn target(&self, panel: &Panel, tau: f64) -> Target {
-        Target { corner: panel.corner, offset: panel.direction * panel.distance_at(tau) }
-    }
-
-    fn targets(&self, taus: &[f64]) -> Vec<Target> {
-        self.panels.iter().flat_map(|panel| taus.iter().map(|&tau| self.target(panel, tau))).collect()
-    }
-
     /// The target in the coordinates of panel `q`, where the panel is [0, 1].
     #[must_use]
-    pub fn local(&self, q: usize, target: Target) -> Complex64 {
+    pub fn local(&self, q: usize, target: &Target) -> Complex64 {
         let panel = &self.panels[q];
         let from_corner = self.boundary.vertices[target.corner] - self.boundary.vertices[panel.corner] + target.offset;
         (from_corner * panel.direction.conj() - panel.start) / panel.length()
@@ -125,13 +115,12 @@ impl Panelled for Discretisation {
         vec![end, 1.0 - end]
     }
 
-    fn values(&self, source: &Source, taus: &[f64]) -> Vec<f64> {
-        source.values(&self.boundary, &self.targets(taus))
+    fn values(&self, source: &Source, targets: &[Target]) -> Vec<f64> {
+        source.values(&self.boundary, targets)
     }
 
-    fn fill_row(&self, (panel, tau): Place, first: usize, row: &mut [f64]) {
+    fn fill_row(&self, target: &Target, first: usize, row: &mut [f64]) {
         row.fill(0.0);
-        let target = self.target(&self.panels[panel], tau);
         for (k, entries) in row.chunks_exact_mut(self.order.p()).enumerate() {
             let q = first + k;
             let log_scale = self.panels[q].length().ln();

@@ -96,7 +96,7 @@ pub fn solve_far(
             let all_solved = panels.iter().all(|(_, role)| *role == Role::Solved);
             let effort = if all_solved { Effort::Whole } else { Effort::Trial };
             let found = far.solve(&panels, (options, effort), progress)?;
-            if all_solved || found.0.estimate <= options.tolerance && !far.overlooks(&panels, &found) {
+            if all_solved || found.0.estimate <= options.tolerance && !far.overlooks(&panels, &found.1) {
                 return Ok(found);
             }
             tried = panels;
@@ -299,12 +299,11 @@ impl Far<'_> {
     }
 
     /// Whether the potential says that something doubtful is seen after all.
-    fn overlooks(&self, panels: &[(Panel, Role)], (found, series): &(Measure, LocalSeries)) -> bool {
+    fn overlooks(&self, panels: &[(Panel, Role)], series: &LocalSeries) -> bool {
         let acceptable = SHARE_OF_UNSEEN * self.tolerance / ERROR_PER_RESIDUAL;
         let doubtful = panels.iter().filter(|(_, role)| *role == Role::Doubtful);
         let sees = |panel: &Panel| {
-            let target = found.discretisation.target(panel, 0.5);
-            let x = self.boundary().vertices[target.corner] + target.offset;
+            let x = self.boundary().vertices[panel.corner] + panel.direction * panel.distance_at(0.5);
             let mut potential = [Complex64::ZERO];
             series.expand(x, 0.0, &mut potential);
             let missed = (potential[0].re - (x - self.center).norm().ln()).abs();

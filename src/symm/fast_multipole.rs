@@ -93,6 +93,7 @@ impl FastInfluence {
         progress: Progress,
     ) -> Result<()> {
         let clusters = &self.tree.clusters;
+        let targets = discretisation.targets(taus);
         let size = |&(t, s): &(usize, usize)| {
             clusters[t].panels.len() * self.targets_per_panel * clusters[s].panels.len() * self.p
         };
@@ -104,17 +105,16 @@ impl FastInfluence {
             let (target, source) = (&clusters[pair.0], &clusters[pair.1]);
             let rows = target.panels.start * self.targets_per_panel..target.panels.end * self.targets_per_panel;
             for (i, row) in rows.zip(block.chunks_exact_mut(source.panels.len() * self.p)) {
-                let (panel, target) = (i / taus.len(), i % taus.len());
-                let place = (panel, taus[target]);
+                let target = &targets[i];
                 let Some(known) = known else {
-                    discretisation.fill_row(place, source.panels.start, row);
+                    discretisation.fill_row(target, source.panels.start, row);
                     continue;
                 };
                 let mut before = None;
                 for (q, entries) in source.panels.clone().zip(row.chunks_exact_mut(self.p)) {
-                    match known.row(panel, target, q, &mut before) {
+                    match known.row(target.panel, i % taus.len(), q, &mut before) {
                         Some(row) => entries.copy_from_slice(row),
-                        None => discretisation.fill_row(place, q, entries),
+                        None => discretisation.fill_row(target, q, entries),
                     }
                 }
             }

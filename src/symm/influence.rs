@@ -32,24 +32,22 @@ impl DenseInfluence {
         progress: Progress,
     ) -> Result<Self> {
         let (columns, p) = (discretisation.unknowns(), discretisation.order().p());
-        let count = discretisation.panel_count() * taus.len();
-        let mut entries = vec![0.0; columns * count];
-        for (i, row) in entries.chunks_exact_mut(columns).enumerate() {
-            let (panel, tau) = (i / taus.len(), i % taus.len());
-            let place = (panel, taus[tau]);
-            let known = before.and_then(|(old, refinement)| Some((old, refinement, refinement.kept(panel)?)));
+        let targets = discretisation.targets(taus);
+        let mut entries = vec![0.0; columns * targets.len()];
+        for (i, (target, row)) in targets.iter().zip(entries.chunks_exact_mut(columns)).enumerate() {
+            let known = before.and_then(|(old, refinement)| Some((old, refinement, refinement.kept(target.panel)?)));
             if let Some((old, refinement, kept)) = known {
-                let old = &old.entries[(kept * taus.len() + tau) * old.columns..][..old.columns];
+                let old = &old.entries[(kept * taus.len() + i % taus.len()) * old.columns..][..old.columns];
                 for (q, entries) in row.chunks_exact_mut(p).enumerate() {
                     match refinement.kept(q) {
                         Some(source) => entries.copy_from_slice(&old[source * p..][..p]),
-                        None => discretisation.fill_row(place, q, entries),
+                        None => discretisation.fill_row(target, q, entries),
                     }
                 }
             } else {
-                discretisation.fill_row(place, 0, row);
+                discretisation.fill_row(target, 0, row);
             }
-            if i % 64 == 0 && !progress("assemble", i as f64 / count as f64) {
+            if i % 64 == 0 && !progress("assemble", i as f64 / targets.len() as f64) {
                 return Err(Error::Cancelled);
             }
         }

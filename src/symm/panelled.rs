@@ -3,15 +3,12 @@
 use super::options::Progress;
 use super::order::Order;
 use super::panel::Panel;
-use super::problem::Source;
+use super::problem::{Source, Target};
 use super::refinement::Refinement;
 use super::rule::{PanelRule, Rules};
 use super::thin_walls::ThinWalls;
 use crate::plane::Complex64;
 use std::ops::Range;
-
-/// A place on the boundary: the panel and its τ.
-pub type Place = (usize, f64);
 
 /// A boundary cut into panels. The unknowns are the masses at the panels' nodes.
 pub trait Panelled: Send + Sync {
@@ -39,11 +36,11 @@ pub trait Panelled: Send + Sync {
     fn extent(&self, q: usize) -> Vec<f64>;
     /// τ of every panel where the equation was not asked to hold, but is checked.
     fn check_taus(&self) -> Vec<f64>;
-    /// g of a right-hand side at the given τ of every panel.
-    fn values(&self, source: &Source, taus: &[f64]) -> Vec<f64>;
-    /// Writes ∫ log|x − y| dμ(y) at a place for a unit mass at each node of the panels from `first` on into `row`, whose
+    /// g of a right-hand side.
+    fn values(&self, source: &Source, targets: &[Target]) -> Vec<f64>;
+    /// Writes ∫ log|x − y| dμ(y) at `target` for a unit mass at each node of the panels from `first` on into `row`, whose
     /// length is a multiple of p.
-    fn fill_row(&self, place: Place, first: usize, row: &mut [f64]);
+    fn fill_row(&self, target: &Target, first: usize, row: &mut [f64]);
 
     /// Number of unknown masses.
     fn unknowns(&self) -> usize {
@@ -61,15 +58,21 @@ pub trait Panelled: Send + Sync {
         self.order().panel.nodes.iter().map(|t| 0.5 * (t + 1.0)).collect()
     }
 
-    /// The boundary at the given τ of every panel.
-    fn points(&self, taus: &[f64]) -> Vec<Complex64> {
-        let at = |q: usize| taus.iter().map(move |tau| self.point((q, *tau)));
-        (0..self.panel_count()).flat_map(at).collect()
+    /// The boundary at τ of a panel.
+    fn target(&self, q: usize, tau: f64) -> Target {
+        let panel = self.panel(q);
+        let s = panel.distance_at(tau);
+        Target { panel: q, s, corner: panel.corner, offset: self.offset(q, s) }
     }
 
-    /// The boundary at a place.
-    fn point(&self, (q, tau): Place) -> Complex64 {
-        self.vertex(q) + self.offset(q, self.panel(q).distance_at(tau))
+    /// The boundary at the given τ of every panel.
+    fn targets(&self, taus: &[f64]) -> Vec<Target> {
+        (0..self.panel_count()).flat_map(|q| taus.iter().map(move |tau| self.target(q, *tau))).collect()
+    }
+
+    /// The same as points (scaled units).
+    fn points(&self, taus: &[f64]) -> Vec<Complex64> {
+        self.targets(taus).iter().map(|target| self.vertex(target.panel) + target.offset).collect()
     }
 }
 

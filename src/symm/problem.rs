@@ -16,6 +16,10 @@ use crate::plane::Complex64;
 /// A point of the boundary, held as a vertex and an offset from it, so that distances near the vertex keep their digits.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
+    /// The panel that it lies on,
+    pub panel: usize,
+    /// and where.
+    pub s: f64,
     /// The vertex.
     pub corner: usize,
     /// The point minus the vertex.

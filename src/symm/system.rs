@@ -177,7 +177,8 @@ impl SystemEquations {
         guess: Option<Vec<f64>>,
         progress: Progress,
     ) -> Result<SystemSolution> {
-        let mut rhs = self.discretisation.values(&problem.source, &self.discretisation.node_taus());
+        let nodes = self.discretisation.targets(&self.discretisation.node_taus());
+        let mut rhs = self.discretisation.values(&problem.source, &nodes);
         rhs.extend_from_slice(&problem.charges);
         if let Some(Given { known, at_targets, .. }) = &self.given {
             // One component, whose charge is the measure of the whole.
@@ -251,15 +252,16 @@ impl SystemEquations {
     }
 
     fn residuals(&self, problem: &Problem, masses: &[f64], constants: &[f64]) -> Vec<f64> {
-        let taus = self.discretisation.check_taus();
-        let per_panel = taus.len();
-        let mut potentials = vec![0.0; per_panel * self.discretisation.panel_count()];
+        let checks = self.discretisation.targets(&self.discretisation.check_taus());
+        let mut potentials = vec![0.0; checks.len()];
         self.check_equations.apply(masses, &mut potentials);
         if let Some(given) = &self.given {
             potentials.iter_mut().zip(&given.at_checks).for_each(|(u, known)| *u += known);
         }
-        let values = self.discretisation.values(&problem.source, &taus);
-        let mut residuals = Vec::with_capacity(self.discretisation.panel_count());
+        let values = self.discretisation.values(&problem.source, &checks);
+        let panels = self.discretisation.panel_count();
+        let per_panel = checks.len() / panels;
+        let mut residuals = Vec::with_capacity(panels);
         for (panels, &c) in self.discretisation.components().iter().zip(constants) {
             for q in panels.clone() {
                 let checks = q * per_panel..(q + 1) * per_panel;
@@ -293,16 +295,6 @@ fn assemble(discretisation: &dyn Panelled, before: Option<Before>, progress: Pro
         Some(old) => (Some(old.refinement), [Some(old.equations), Some(old.checks)], Some(old.inverse)),
         None => (None, [None, None], None),
     };
-    let two_level = |entries: &dyn Fn(&[usize]) -> Vec<f64>, progress: Progress| {
-        let refined = match (old_inverse.as_deref(), &refinement) {
-            (Some(Inverse::TwoLevel(old)), Some(refinement)) => {
-                old.refined(refinement, discretisation, entries, progress)?
-            }
-            _ => None,
-        };
-        let new = |progress| TwoLevel::new(discretisation, entries, progress);
-        refined.map_or_else(|| new(progress), Ok).map(Inverse::TwoLevel)
-    };
     if n <= DENSE_UP_TO {
         let dense = |old: Option<Arc<Equations>>, taus: &[f64], progress: Progress| {
             let old = match (old.as_deref(), &refinement) {
@@ -316,13 +308,20 @@ fn assemble(discretisation: &dyn Panelled, before: Option<Before>, progress: Pro
             let components = discretisation.unknowns_of_components();
             Inverse::Exact(Lu::new(n + components.len(), equations.bordered(&components)))
         } else {
-            two_level(&|members| equations.block(members, nodes.len()), progress)?
+            Inverse::TwoLevel(TwoLevel::new(discretisation, &|members| equations.block(members, nodes.len()), progress)?)
         };
         let checks = dense(old_checks, &checks, progress)?;
         return Ok(Assembled { equations: Equations::Dense(equations), checks: Equations::Dense(checks), inverse });
     }
-    let inverse = two_level(&|members| two_level::local_matrix(discretisation, members), progress)?;
+    let local = |members: &[usize]| two_level::local_matrix(discretisation, members);
+    let refined = match (old_inverse.as_deref(), old_equations.as_deref(), &refinement) {
+        (Some(Inverse::TwoLevel(old)), Some(Equations::Fast(_)), Some(refinement)) => {
+            old.refined(refinement, discretisation, &local, progress)?
+        }
+        _ => None,
+    };
     drop(old_inverse);
+    let inverse = Inverse::TwoLevel(refined.map_or_else(|| TwoLevel::new(discretisation, &local, progress), Ok)?);
     let fast = |old: Option<Arc<Equations>>, taus: &[f64], progress: Progress| match (old.as_deref(), &refinement) {
         (Some(Equations::Fast(old)), Some(refinement)) => old.refined(refinement, discretisation, taus, progress),
         _ => FastInfluence::new(discretisation, taus, discretisation.order().digits, progress),

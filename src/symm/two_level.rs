@@ -158,10 +158,10 @@ pub fn local_matrix(discretisation: &dyn Panelled, members: &[usize]) -> Vec<f64
     let taus = discretisation.node_taus();
     let (p, size) = (taus.len(), taus.len() * members.len());
     let mut matrix = vec![0.0; size * size];
-    let places = members.iter().flat_map(|&q| taus.iter().map(move |tau| (q, *tau)));
-    for (place, row) in places.zip(matrix.chunks_exact_mut(size)) {
+    let targets = members.iter().flat_map(|&q| taus.iter().map(move |tau| discretisation.target(q, *tau)));
+    for (target, row) in targets.zip(matrix.chunks_exact_mut(size)) {
         for (&q, entries) in members.iter().zip(row.chunks_exact_mut(p)) {
-            discretisation.fill_row(place, q, entries);
+            discretisation.fill_row(&target, q, entries);
         }
     }
     matrix
