@@ -1,18 +1,21 @@
-//! A solved boundary of analytic edges: Symm's equation on panels over the edges' parameters, evaluated by summation.
+//! A solved boundary of analytic edges: Symm's equation on panels over the edges' parameters, evaluated by Cauchy's formula.
 
 use super::atlas::DiskPoint;
+use super::atlas::quadtree::square_around;
+use super::cauchy_tree::{CauchyTree, Leaf};
 use super::rounding::{is_on_circle, is_outside_disk, onto_disk};
 use super::solved_region::{Evidence, SolvedRegion};
 use crate::plane::{BoundaryPoint, Complex64, CurvedOutline, Region};
 use crate::stored::{Reader, Writer};
+use crate::symm::curved_cauchy::Side;
 use crate::symm::curved_solution::CurvedSolution;
 use crate::symm::curved_solve::{solve_curved, solve_curved_again};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-/// The solution of a region with curved edges; nothing more is built.
+/// The solution of a region with curved edges.
 #[derive(Debug)]
 pub(super) struct SolvedEdges {
     /// Where `region` has its 0.
@@ -20,9 +23,46 @@ pub(super) struct SolvedEdges {
     region: Region,
     outline: Arc<CurvedOutline>,
     solution: CurvedSolution,
+    /// Region → disk, and back; made when first asked for.
+    trees: OnceLock<[CauchyTree; 2]>,
 }
 
+/// Series err by at most this share of the solve: where the region is narrow, an error in it is larger in the disk.
+const SHARE_OF_ERROR: f64 = 1e-3;
+/// They err by no more.
+const LARGEST_ERROR: f64 = 1e-6;
+
 impl SolvedEdges {
+    fn new(origin: Complex64, region: Region, outline: Arc<CurvedOutline>, solution: CurvedSolution) -> Self {
+        Self { origin, region, outline, solution, trees: OnceLock::new() }
+    }
+
+    /// Good to [`SolvedEdges::series_error`].
+    fn trees(&self) -> &[CauchyTree; 2] {
+        self.trees.get_or_init(|| {
+            let (low, high) = self.outline.polygon().bounds();
+            let square = square_around(&[low * self.unit(), high * self.unit()]);
+            let parts = self.solution.parts();
+            let disk = (Complex64::ZERO, 1.0 + 1e-9);
+            [(square, Side::Region), (disk, Side::Disk)]
+                .map(|(square, side)| CauchyTree::new(square, side, parts, self.series_error()))
+        })
+    }
+
+    fn series_error(&self) -> f64 {
+        (SHARE_OF_ERROR * self.solution.error_estimate).clamp(f64::EPSILON, LARGEST_ERROR)
+    }
+
+    /// (f, f') at a point of the open region, in scaled units.
+    fn inside(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        let [tree, _] = self.trees();
+        match tree.find(z, &self.solution) {
+            Some(Leaf::Series(series)) => Some(series.at(z)),
+            Some(Leaf::Near(sums)) => self.solution.to_disk_by(z, &|z| tree.near(sums, z, &self.solution)),
+            _ => self.solution.to_disk(z),
+        }
+    }
+
     /// Solves Symm's equation for the edges that bound a region; `None` if it is bounded by something else.
     ///
     /// # Errors
@@ -31,7 +71,7 @@ impl SolvedEdges {
         let (origin, region) = region.local();
         let Some(outline) = region.curved().cloned() else { return Ok(None) };
         let solution = solve_curved(&outline, region.center(), options, progress)?;
-        Ok(Some(Self { origin, region, outline, solution }))
+        Ok(Some(Self::new(origin, region, outline, solution)))
     }
 
     /// Reads what [`SolvedRegion::store`] wrote.
@@ -43,7 +83,7 @@ impl SolvedEdges {
         let damaged = Error::Damaged { reason: "its boundary does not consist of edges" };
         let outline = region.curved().cloned().ok_or(damaged)?;
         let solution = CurvedSolution::restore(&outline, region.center(), from)?;
-        Ok(Self { origin, region, outline, solution })
+        Ok(Self::new(origin, region, outline, solution))
     }
 
     fn unit(&self) -> f64 {
@@ -80,7 +120,7 @@ impl SolvedRegion for SolvedEdges {
     ) -> Result<Arc<dyn SolvedRegion>> {
         let region = self.region.with_center(center - self.origin, self.region.toward().point)?;
         let solution = solve_curved_again(&self.solution, region.center(), options, progress)?;
-        Ok(Arc::new(Self { origin: self.origin, region, outline: Arc::clone(&self.outline), solution }))
+        Ok(Arc::new(Self::new(self.origin, region, Arc::clone(&self.outline), solution)))
     }
 
     fn vertex_measures(&self) -> Vec<f64> {
@@ -101,10 +141,16 @@ impl SolvedRegion for SolvedEdges {
 
     fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
         let z = z - self.origin;
-        let (w, slope) = match self.region.on_boundary(z) {
-            Some(place) => self.solution.on_circle(place.edge, place.t),
-            None if self.region.contains(z) => self.solution.to_disk(z * self.unit())?,
-            None => return None,
+        let [tree, _] = self.trees();
+        let scaled = z * self.unit();
+        let (w, slope) = match tree.find(scaled, &self.solution) {
+            Some(Leaf::Series(series)) => series.at(scaled),
+            Some(Leaf::Outside) => return None,
+            _ => match self.region.on_boundary(z) {
+                Some(place) => self.solution.on_circle(place.edge, place.t),
+                None if !self.region.contains(z) => return None,
+                None => self.inside(scaled)?,
+            },
         };
         Some((DiskPoint::flat(onto_disk(w)), slope * self.unit()))
     }
@@ -126,8 +172,24 @@ impl SolvedRegion for SolvedEdges {
             let (_, slope) = self.solution.on_circle(edge, t);
             return Some((self.place((edge, t)).point, (slope * self.unit()).inv()));
         }
-        let (z, slope) = self.solution.from_disk(point.w)?;
+        let [_, tree] = self.trees();
+        let (z, slope) = match tree.find(point.w, &self.solution) {
+            Some(Leaf::Series(series)) => {
+                let (z, slope) = series.at(point.w);
+                let map = |z| self.inside(z);
+                self.solution.polished(point.w, (z, slope.inv()), self.series_error(), &map)
+            }
+            Some(Leaf::Near(sums)) => {
+                let cauchy = |w| tree.near(sums, w, &self.solution);
+                self.solution.from_disk_by(point.w, &cauchy, &|z| self.inside(z))?
+            }
+            _ => self.solution.from_disk(point.w)?,
+        };
         Some((z / self.unit() + self.origin, (slope * self.unit()).inv()))
+    }
+
+    fn prepare(&self, progress: Progress) -> Result<()> {
+        self.trees().iter().try_for_each(|tree| tree.fill(&self.solution, progress))
     }
 
     fn crowded(&self) -> Option<Complex64> {

@@ -5,11 +5,13 @@
 
 mod atlas;
 mod both_ways;
+mod cauchy_tree;
 mod curved;
 mod doubt;
 mod evidence;
 mod holes;
 mod joined;
+mod lazy_tree;
 mod marked;
 mod polygon;
 mod region_map;

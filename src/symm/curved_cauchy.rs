@@ -5,7 +5,7 @@
 
 use super::legendre::GaussRule;
 use crate::plane::Complex64;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// A solved boundary, panel by panel.
 pub trait Sampled {
@@ -29,6 +29,16 @@ pub struct Sample {
     pub dw: Complex64,
 }
 
+impl Sample {
+    /// The node, its image and its weight for targets on a side.
+    fn on(&self, side: Side) -> (Complex64, Complex64, Complex64) {
+        match side {
+            Side::Region => (self.z, self.w, self.dz),
+            Side::Disk => (self.w, self.z, self.dw),
+        }
+    }
+}
+
 /// A part of a panel.
 #[derive(Clone, Debug)]
 pub struct CauchyPart {
@@ -36,32 +46,71 @@ pub struct CauchyPart {
     from: f64,
     to: f64,
     samples: Vec<Sample>,
-    /// Middle and radius of the part in the region and in the disk, the radius times how far it is to be seen through its nodes.
-    circles: [(Complex64, f64); 2],
-    halves: OnceLock<Box<[CauchyPart; 2]>>,
+    /// Around the part in the region and in the disk.
+    circles: [Circle; 2],
+    halves: OnceLock<[Arc<CauchyPart>; 2]>,
+}
+
+/// How a circle sees a part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// As a power series.
+    Far,
+    /// Its halves are to be asked.
+    Large,
+    /// Point by point.
+    Near,
+}
+
+/// Around a part.
+#[derive(Clone, Copy, Debug)]
+struct Circle {
+    middle: Complex64,
+    radius: f64,
+    /// As far from the middle the part is seen through its nodes.
+    reach: f64,
 }
 
 /// The value, its derivative, and what the formula gives for the constant 1.
 pub type Evaluated = (Complex64, Complex64, Complex64);
 
+/// Where targets lie.
 #[derive(Clone, Copy, Debug)]
-enum Side {
+pub enum Side {
+    /// In the region.
     Region,
+    /// In the disk.
     Disk,
 }
 
+/// Σ f(y) δy/(y − z) above, Σ δy/(y − z) below, and their derivatives.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sums {
-    above: Complex64,
-    below: Complex64,
-    above_slope: Complex64,
-    below_slope: Complex64,
+pub struct Sums {
+    /// The first,
+    pub above: Complex64,
+    /// the second,
+    pub below: Complex64,
+    /// and by z.
+    pub above_slope: Complex64,
+    /// The same.
+    pub below_slope: Complex64,
+}
+
+impl Sums {
+    /// Their quotient.
+    #[must_use]
+    pub fn evaluated(&self) -> Evaluated {
+        let value = self.above / self.below;
+        (value, (self.above_slope - value * self.below_slope) / self.below, self.below)
+    }
 }
 
 /// Nodes of a part.
 const NODES: usize = 16;
 /// Halvings after which a target is on the boundary.
 const MOST_HALVINGS: usize = 40;
+/// Parts are not halved below this share of a panel's τ.
+const SHORTEST: f64 = 1e-12;
 /// Parts serve targets at this distance, in their radii, with full digits: in the variable, Bernstein's ρ is 3.7 there.
 const FAR: f64 = 2.0;
 /// The same where the panel has a corner variable, of which nodes are dense at one end.
@@ -73,32 +122,37 @@ const BEYOND_CORNER: f64 = 1.5;
 
 /// The panels as they are seen from far.
 #[must_use]
-pub fn parts(solution: &dyn Sampled, panels: usize) -> Vec<CauchyPart> {
+pub fn parts(solution: &dyn Sampled, panels: usize) -> Vec<Arc<CauchyPart>> {
     let gauss = GaussRule::new(NODES);
-    (0..panels).map(|q| CauchyPart::new(solution, &gauss, q, 0.0, 1.0)).collect()
+    (0..panels).map(|q| Arc::new(CauchyPart::new(solution, &gauss, q, 0.0, 1.0))).collect()
 }
 
 /// f(z) and f'(z) by parts.
 #[must_use]
-pub fn to_disk(solution: &dyn Sampled, parts: &[CauchyPart], z: Complex64) -> Option<Evaluated> {
+pub fn to_disk(solution: &dyn Sampled, parts: &[Arc<CauchyPart>], z: Complex64) -> Option<Evaluated> {
     evaluated(solution, parts, z, Side::Region)
 }
 
 /// The inverse of f, and its derivative.
 #[must_use]
-pub fn from_disk(solution: &dyn Sampled, parts: &[CauchyPart], w: Complex64) -> Option<Evaluated> {
+pub fn from_disk(solution: &dyn Sampled, parts: &[Arc<CauchyPart>], w: Complex64) -> Option<Evaluated> {
     evaluated(solution, parts, w, Side::Disk)
 }
 
-fn evaluated(solution: &dyn Sampled, parts: &[CauchyPart], target: Complex64, side: Side) -> Option<Evaluated> {
-    let mut sums = Sums::default();
-    for part in parts {
-        if !part.add(solution, target, side, 0, &mut sums) {
-            return None;
-        }
-    }
-    let value = sums.above / sums.below;
-    Some((value, (sums.above_slope - value * sums.below_slope) / sums.below, sums.below))
+fn evaluated(solution: &dyn Sampled, parts: &[Arc<CauchyPart>], target: Complex64, side: Side) -> Option<Evaluated> {
+    sums_from(Sums::default(), solution, parts, target, side).map(|sums| sums.evaluated())
+}
+
+/// The sums with what the parts add; `None` if the target is on one.
+#[must_use]
+pub fn sums_from(
+    mut sums: Sums,
+    solution: &dyn Sampled,
+    parts: &[Arc<CauchyPart>],
+    target: Complex64,
+    side: Side,
+) -> Option<Sums> {
+    parts.iter().all(|part| part.add(solution, target, side, 0, &mut sums)).then_some(sums)
 }
 
 impl CauchyPart {
@@ -122,7 +176,8 @@ impl CauchyPart {
         let circle = |at: fn(&Sample) -> Complex64, reach: f64| {
             let middle = 0.5 * (at(&ends[0]) + at(&ends[1]));
             let all = samples.iter().chain(&ends);
-            (middle, reach * all.map(|sample| (at(sample) - middle).norm()).fold(0.0, f64::max))
+            let radius = all.map(|sample| (at(sample) - middle).norm()).fold(0.0, f64::max);
+            Circle { middle, radius, reach: reach * radius }
         };
         let circles = [circle(|sample| sample.z, reach(exponent)), circle(|sample| sample.w, reach(power))];
         Self { q, from, to, samples, circles, halves: OnceLock::new() }
@@ -130,13 +185,10 @@ impl CauchyPart {
 
     /// Adds what the part contributes; false if the target is on it.
     fn add(&self, solution: &dyn Sampled, target: Complex64, side: Side, depth: usize, sums: &mut Sums) -> bool {
-        let (middle, reach) = self.circles[side as usize];
+        let Circle { middle, reach, .. } = self.circles[side as usize];
         if (target - middle).norm_sqr() >= reach * reach {
             for sample in &self.samples {
-                let (at, value, weight) = match side {
-                    Side::Region => (sample.z, sample.w, sample.dz),
-                    Side::Disk => (sample.w, sample.z, sample.dw),
-                };
+                let (at, value, weight) = sample.on(side);
                 let inverse = (at - target).inv();
                 let weight = weight * inverse;
                 sums.above += value * weight;
@@ -150,12 +202,47 @@ impl CauchyPart {
         if depth == MOST_HALVINGS {
             return false;
         }
-        let halves = self.halves.get_or_init(|| {
+        self.halves(solution).iter().all(|half| half.add(solution, target, side, depth + 1, sums))
+    }
+
+    /// Its halves, in τ.
+    #[must_use]
+    pub fn halves(&self, solution: &dyn Sampled) -> &[Arc<Self>; 2] {
+        self.halves.get_or_init(|| {
             let gauss = GaussRule::new(NODES);
             let middle = 0.5 * (self.from + self.to);
-            let part = |from: f64, to: f64| Self::new(solution, &gauss, self.q, from, to);
-            Box::new([part(self.from, middle), part(middle, self.to)])
-        });
-        halves.iter().all(|half| half.add(solution, target, side, depth + 1, sums))
+            [(self.from, middle), (middle, self.to)]
+                .map(|(from, to)| Arc::new(Self::new(solution, &gauss, self.q, from, to)))
+        })
+    }
+
+    /// How all targets in a circle see the part; its sums are a power series there if it lies `away` of the circle's radii away.
+    #[must_use]
+    pub fn seen(&self, side: Side, (center, radius): (Complex64, f64), away: f64) -> Seen {
+        let own = self.circles[side as usize];
+        let distance = (own.middle - center).norm();
+        let is_away = distance - own.radius >= away * radius;
+        if is_away && distance - radius >= own.reach {
+            Seen::Far
+        } else if (is_away || own.radius > radius) && self.to - self.from > SHORTEST {
+            Seen::Large
+        } else {
+            Seen::Near
+        }
+    }
+
+    /// Adds its sums, as series in (z − center)/radius: what is above, and what is below.
+    pub fn add_series(&self, side: Side, (center, radius): (Complex64, f64), series: &mut [Vec<Complex64>; 2]) {
+        let [above, below] = series;
+        for sample in &self.samples {
+            let (at, value, weight) = sample.on(side);
+            let inverse = (at - center).inv();
+            let (mut term, step) = (weight * inverse, radius * inverse);
+            for (a, b) in above.iter_mut().zip(below.iter_mut()) {
+                *a += value * term;
+                *b += term;
+                term *= step;
+            }
+        }
     }
 }

@@ -4,6 +4,7 @@
 //! moments, the second is smooth near the panel and left to Gauss's rule.
 
 use super::curved_boundary::CurvedBoundary;
+use super::fast_log;
 use super::legendre::MAX_NODES;
 use super::log_moments::log_moments_with_slopes;
 use super::order::Order;
@@ -92,7 +93,7 @@ impl CurvedPanel {
     /// found although it is near.
     #[must_use]
     pub(super) fn see(&self, rule: &PanelRule, order: &Order, known: Option<f64>, step: Complex64) -> Option<Seen> {
-        let distance = (step - self.middle).norm() / self.half;
+        let distance = self.distance_from_middle(step);
         // In a circle of radius r around the panel's middle in its parameter the curve strays by r + bend·r²/2 at most.
         let reach = if self.bend > 1e-3 {
             ((1.0 + 2.0 * self.bend * distance).sqrt() - 1.0) / self.bend
@@ -117,7 +118,8 @@ impl CurvedPanel {
     /// Distance from the middle of the panel of the point `step` from the corner, in halves of its length.
     #[must_use]
     pub fn distance_from_middle(&self, step: Complex64) -> f64 {
-        (step - self.middle).norm() / self.half
+        // Without the care for sizes that do not occur here.
+        (step - self.middle).norm_sqr().sqrt() / self.half
     }
 
     /// The complex parameter near the panel of the point `step` from the corner.
@@ -165,12 +167,14 @@ impl CurvedPanel {
                 let taus = nodes.rows.nodes(order);
                 for (log, t) in logs.iter_mut().zip(taus) {
                     let at = self.parameter(part.center + part.half * t);
-                    *log = 0.5 * self.curve.chord(at.into(), s).norm_sqr().ln();
+                    *log = self.curve.chord(at.into(), s).norm_sqr();
                 }
+                fast_log::half_ln(&mut logs[..taus.len()]);
                 add(nodes, &logs[..taus.len()]);
             } else {
                 let points = &self.points[part.block * self.m..][..count];
-                logs.iter_mut().zip(points).for_each(|(log, z)| *log = 0.5 * (step - z).norm_sqr().ln());
+                logs.iter_mut().zip(points).for_each(|(log, z)| *log = (step - z).norm_sqr());
+                fast_log::half_ln(&mut logs[..count]);
                 add(part, &logs[..count]);
             }
         });

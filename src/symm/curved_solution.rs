@@ -1,6 +1,6 @@
 //! A solved boundary of analytic edges: θ along it, and the map region → disk inside.
 
-use super::curved_cauchy::{self, CauchyPart, Sample, Sampled};
+use super::curved_cauchy::{self, CauchyPart, Evaluated, Sample, Sampled};
 use super::curved_discretisation::CurvedDiscretisation;
 use super::curved_kernel::CurvedPanel;
 use super::legendre::{MAX_NODES, complex_integral, complex_sum, legendre};
@@ -30,7 +30,7 @@ pub struct CurvedSolution {
     /// Measure from vertex 0 to where each panel begins, and the whole.
     starts: Vec<f64>,
     /// For Cauchy's formula; made when first asked for.
-    parts: OnceLock<Vec<CauchyPart>>,
+    parts: OnceLock<Vec<Arc<CauchyPart>>>,
     smallest_mass: (f64, usize),
     /// Largest violation of the equation where it was not imposed.
     pub residual: f64,
@@ -55,16 +55,26 @@ struct Beside {
     at_end: bool,
 }
 
+/// Cauchy's formula at a point: the value, its derivative, and what the formula gives for 1.
+pub type Cauchy<'a> = &'a dyn Fn(Complex64) -> Option<Evaluated>;
+
+/// (f, f') at a point of the region (scaled units).
+pub type Map<'a> = &'a dyn Fn(Complex64) -> Option<(Complex64, Complex64)>;
+
 /// Maps with estimates above this are none.
 const WORST_ESTIMATE: f64 = 1.0;
-/// Cauchy's formula is trusted where it gives the constant 1 so well.
+/// Cauchy's formula is trusted where it gives the constant 1 so well,
 const WHOLE: f64 = 1e-12;
+/// or to this share of the estimate.
+const WHOLE_SHARE: f64 = 0.01;
 /// A panel's density goes on so far beyond it: Bernstein's ρ.
 const CONTINUED: f64 = 1.1;
 /// The same for the way back.
 const CONTINUED_BACK: f64 = 1.08;
-/// |f'| above which the way back is polished.
-const WIDE: f64 = 4.0;
+/// Rounding in points of the region (scaled units).
+const ROUNDING: f64 = 4e-15;
+/// The way back errs by no more than this share of the estimate.
+const POLISHED: f64 = 0.1;
 /// As far beside a corner, in parameters, its derivative is told.
 const BESIDE: f64 = 1e-14;
 /// Points as near to the curve as this are on it, in units of the region's size.
@@ -134,7 +144,9 @@ impl CurvedSolution {
         Ok(Arc::clone(self.system.get_or_init(|| system)))
     }
 
-    fn parts(&self) -> &[CauchyPart] {
+    /// The panels in Cauchy's formula.
+    #[must_use]
+    pub fn parts(&self) -> &[Arc<CauchyPart>] {
         self.parts.get_or_init(|| curved_cauchy::parts(self, self.discretisation.panels.len()))
     }
 
@@ -341,6 +353,12 @@ impl CurvedSolution {
     /// Region → disk with vertex 0 ↦ 1, and the derivative, both in scaled units; `None` outside the closed region.
     #[must_use]
     pub fn to_disk(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        self.to_disk_by(z, &|z| curved_cauchy::to_disk(self, self.parts(), z))
+    }
+
+    /// The same with Cauchy's formula as `cauchy` sums it up.
+    #[must_use]
+    pub fn to_disk_by(&self, z: Complex64, cauchy: Cauchy) -> Option<(Complex64, Complex64)> {
         if !z.is_finite() {
             return None;
         }
@@ -352,11 +370,11 @@ impl CurvedSolution {
                 return Some(self.continued(&beside));
             }
         }
-        if let Some((w, slope, one)) = curved_cauchy::to_disk(self, self.parts(), z) {
-            if (one - 1.0).norm() < WHOLE {
+        if let Some((w, slope, one)) = cauchy(z) {
+            if (one - 1.0).norm() < self.whole() {
                 return Some((w, slope));
             }
-            if one.norm() < WHOLE {
+            if one.norm() < self.whole() {
                 return None;
             }
         }
@@ -366,6 +384,10 @@ impl CurvedSolution {
         }
         let factor = (-log).exp();
         Some(((z - self.center) * factor, factor * (1.0 - (z - self.center) * slope)))
+    }
+
+    fn whole(&self) -> f64 {
+        WHOLE.max(WHOLE_SHARE * self.error_estimate)
     }
 
     /// f and f' by continuing the boundary correspondence from a panel.
@@ -423,21 +445,37 @@ impl CurvedSolution {
     /// Disk (vertex 0 ↦ 1) → region, and the derivative of the way there, in scaled units; `None` where it is not found.
     #[must_use]
     pub fn from_disk(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+        self.from_disk_by(w, &|w| curved_cauchy::from_disk(self, self.parts(), w), &|z| self.to_disk(z))
+    }
+
+    /// The same with Cauchy's formula as `cauchy` sums it up, and the way there by `map`.
+    #[must_use]
+    pub fn from_disk_by(&self, w: Complex64, cauchy: Cauchy, map: Map) -> Option<(Complex64, Complex64)> {
         if let Some(found) = self.from_disk_beside(w) {
             return Some(found);
         }
-        match curved_cauchy::from_disk(self, self.parts(), w) {
-            Some((z, slope, one)) if (one - 1.0).norm() < WHOLE => Some(self.polished(w, z, slope.inv())),
-            _ => self.marched(w),
+        match cauchy(w) {
+            Some((z, slope, one)) if (one - 1.0).norm() < self.whole() => {
+                Some(self.polished(w, (z, slope.inv()), 0.0, map))
+            }
+            _ => self.marched(w, map),
         }
     }
 
-    /// Where the disk is wide against the region, rounding in z weighs as much more: a step of Newton's method takes it away.
-    fn polished(&self, w: Complex64, z: Complex64, slope: Complex64) -> (Complex64, Complex64) {
-        if slope.norm() < WIDE {
+    /// z and f'(z) where f(z) should be w, z being good to `error`: where the disk is wide against the region, that weighs more,
+    /// and a step of Newton's method takes it away.
+    #[must_use]
+    pub fn polished(
+        &self,
+        w: Complex64,
+        (z, slope): (Complex64, Complex64),
+        error: f64,
+        map: Map,
+    ) -> (Complex64, Complex64) {
+        if slope.norm() * (error + ROUNDING) < POLISHED * self.error_estimate {
             return (z, slope);
         }
-        self.to_disk(z).map_or((z, slope), |(f, slope)| (z + (w - f) / slope, slope))
+        map(z).map_or((z, slope), |(f, slope)| (z + (w - f) / slope, slope))
     }
 
     /// Beside the circle: the complex measure is inverted.
@@ -486,9 +524,9 @@ impl CurvedSolution {
     }
 
     /// Newton's method for f(z) = w, steps halved where they leave the region or do not help.
-    fn newton(&self, w: Complex64, guess: Complex64) -> Option<(Complex64, Complex64)> {
+    fn newton(w: Complex64, guess: Complex64, map: Map) -> Option<(Complex64, Complex64)> {
         let mut z = guess;
-        let (f, mut slope) = self.to_disk(z)?;
+        let (f, mut slope) = map(z)?;
         let mut miss = w - f;
         for _ in 0..40 {
             let step = miss / slope;
@@ -498,7 +536,7 @@ impl CurvedSolution {
             let mut share = 1.0;
             let moved = loop {
                 let there = z + step * share;
-                match self.to_disk(there) {
+                match map(there) {
                     Some((f, slope)) if (w - f).norm() < miss.norm() => break Some((there, w - f, slope)),
                     _ if share > 1e-4 => share *= 0.5,
                     _ => break None,
@@ -517,14 +555,14 @@ impl CurvedSolution {
     }
 
     /// From the center outwards along the radius, by steps as long as Newton's method bears.
-    fn marched(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
+    fn marched(&self, w: Complex64, map: Map) -> Option<(Complex64, Complex64)> {
         let (mut share, mut step) = (0.0, 0.5);
         let mut z = self.center;
-        let (_, mut slope) = self.to_disk(z)?;
+        let (_, mut slope) = map(z)?;
         for _ in 0..400 {
             let next = f64::min(1.0, share + step);
             let guess = z + w * (next - share) / slope;
-            match self.newton(w * next, guess) {
+            match Self::newton(w * next, guess, map) {
                 Some((there, there_slope)) => {
                     (z, slope, share) = (there, there_slope, next);
                     if share == 1.0 {

@@ -36,7 +36,7 @@ pub(crate) mod center;
 mod clusters;
 pub(crate) mod correspondence;
 mod curved_boundary;
-mod curved_cauchy;
+pub(crate) mod curved_cauchy;
 mod curved_discretisation;
 mod curved_kernel;
 pub(crate) mod curved_solution;

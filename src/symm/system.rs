@@ -308,7 +308,11 @@ fn assemble(discretisation: &dyn Panelled, before: Option<Before>, progress: Pro
             let components = discretisation.unknowns_of_components();
             Inverse::Exact(Lu::new(n + components.len(), equations.bordered(&components)))
         } else {
-            Inverse::TwoLevel(TwoLevel::new(discretisation, &|members| equations.block(members, nodes.len()), progress)?)
+            Inverse::TwoLevel(TwoLevel::new(
+                discretisation,
+                &|members| equations.block(members, nodes.len()),
+                progress,
+            )?)
         };
         let checks = dense(old_checks, &checks, progress)?;
         return Ok(Assembled { equations: Equations::Dense(equations), checks: Equations::Dense(checks), inverse });

@@ -1,9 +1,9 @@
 //! L in squares of a domain that smooth curves bound: power series, each made when a point of its square is first asked for.
 
 use super::super::atlas::power_series::value_and_slope;
+use super::super::lazy_tree::{Decision, LazyTree, Square};
 use super::cuts::Cuts;
 use super::inside::{Ground, Inside};
-use super::lazy_tree::{Decision, LazyTree, Square};
 use crate::Result;
 use crate::plane::{Complex64, Domain};
 use crate::symm::options::Progress;

@@ -3,7 +3,7 @@
 
 use super::super::atlas::accuracy::Accuracy;
 use super::super::atlas::power_series::value_and_slope;
-use super::lazy_tree::{Decision, LazyTree, Square};
+use super::super::lazy_tree::{Decision, LazyTree, Square};
 use super::seeds::Seeds;
 use crate::Result;
 use crate::plane::Complex64;

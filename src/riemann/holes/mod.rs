@@ -15,7 +15,6 @@ mod field;
 mod flow;
 mod inside;
 mod inverse_tree;
-mod lazy_tree;
 mod level_lines;
 mod peak;
 mod polygon_squares;

@@ -369,6 +369,28 @@ fn stored_maps_come_back_to_the_bit() {
     assert_eq!(again.to_bytes(), bytes);
 }
 
+/// Squares are decided when they are first asked for: nothing depends on when.
+#[test]
+fn answers_do_not_depend_on_what_was_asked_before() {
+    let region = region(&letter(), c(1.5, 1.0));
+    let (asked, prepared) = (solve(&region, 1e-8), solve(&region, 1e-8));
+    let mut reports = 0;
+    prepared
+        .prepare(&mut |_, _| {
+            reports += 1;
+            true
+        })
+        .unwrap();
+    assert!(reports > 10);
+    assert_eq!(asked.prepare(&mut |_, _| false).unwrap_err().code(), "cancelled");
+    let points = spread_points(&region, 500);
+    let images = prepared.to_disk(&points);
+    let one_by_one: Vec<_> = points.iter().rev().map(|z| asked.to_disk(&[*z])[0]).collect();
+    assert!(images.iter().eq(one_by_one.iter().rev()));
+    let back: Vec<_> = images.iter().rev().map(|w| asked.from_disk(&[*w])[0]).collect();
+    assert!(prepared.from_disk(&images).iter().eq(back.iter().rev()));
+}
+
 #[test]
 fn centers_move_and_solving_can_be_cancelled() {
     let first = region(&letter(), c(1.5, 1.0));
