@@ -72,9 +72,9 @@ pub use plane::{
     SmoothCurve, parse_outline, parse_path, parse_shape, path_data,
 };
 pub use riemann::{
-    AnnulusMap, CanonicalMap, Circulation, Conductors, DiskPoint, Electrostatics, ExteriorMap, FlowLines, HalfPlaneMap,
-    JoinedMap, LevelLine, PotentialFlow, RectangleMap, RegionMap, RiemannMap, RingLines, Slit, SlitKind, SlitMap,
-    StripMap,
+    AnnulusMap, CanonicalMap, Circle, CircleMap, Circulation, Conductors, DiskPoint, Electrostatics, ExteriorMap,
+    FlowLines, HalfPlaneMap, JoinedMap, LevelLine, PotentialFlow, RectangleMap, RegionMap, RiemannMap, RingLines, Slit,
+    SlitKind, SlitMap, StripMap,
 };
 pub use symm::options::{Progress, SolveOptions, Stop};
 pub use warp::{

@@ -22,8 +22,8 @@ mod solved_region;
 
 pub use atlas::DiskPoint;
 pub use holes::{
-    AnnulusMap, Circulation, Conductors, Electrostatics, ExteriorMap, FlowLines, LevelLine, PotentialFlow, RingLines,
-    Slit, SlitKind, SlitMap,
+    AnnulusMap, Circle, CircleMap, Circulation, Conductors, Electrostatics, ExteriorMap, FlowLines, LevelLine,
+    PotentialFlow, RingLines, Slit, SlitKind, SlitMap,
 };
 pub use joined::{CanonicalMap, JoinedMap};
 pub use marked::{HalfPlaneMap, RectangleMap, StripMap};

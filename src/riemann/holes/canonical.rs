@@ -8,6 +8,7 @@ use crate::Result;
 use crate::plane::{Complex64, Domain, DomainPoint};
 use crate::symm::options::Progress;
 use std::f64::consts::TAU;
+use std::iter;
 use std::sync::{Arc, OnceLock};
 
 /// What a map is of its function B: with k(z) = aB(z) + b, the map is k or its exponential.
@@ -27,9 +28,13 @@ pub struct Form {
 #[derive(Clone, Debug)]
 pub struct Canonical {
     field: Arc<DomainField>,
+    /// If there is one, with its function C: k(z) = −log(aB(z) + iaC(z) + b).
+    partner: Option<Arc<DomainField>>,
     form: Form,
     /// The real parts of k lie between these.
     strip: (f64, f64),
+    /// What is left of k when Newton's method has converged as far as it can.
+    reached: f64,
     /// The larger side of the first component's box.
     size: f64,
     /// Made at the first use of the way back.
@@ -46,7 +51,7 @@ struct Back {
 
 /// Newton's method ends after so many steps.
 const MOST_STEPS: usize = 80;
-/// What is left of k when Newton's method has converged as far as it can.
+/// So much is left of k if nothing else is said.
 const REACHED: f64 = 1e-10;
 /// Below this a step that does not come nearer ends it,
 const SATISFIED: f64 = 1e-13;
@@ -64,7 +69,21 @@ impl Canonical {
     #[must_use]
     pub fn new(field: DomainField, form: Form, strip: (f64, f64)) -> Self {
         let size = field.domain().contours()[0].polygon().size();
-        Self { field: Arc::new(field), form, strip, size, back: Arc::default() }
+        Self { field: Arc::new(field), partner: None, form, strip, reached: REACHED, size, back: Arc::default() }
+    }
+
+    /// 1/(aB(z) + iaC(z) + b) with B and C of two fields of one domain.
+    #[must_use]
+    pub fn reciprocal([field, partner]: [DomainField; 2], form: Form) -> Self {
+        let map = Self::new(field, form, (f64::NEG_INFINITY, f64::INFINITY));
+        Self { partner: Some(Arc::new(partner)), ..map }
+    }
+
+    /// The same map, whose way back takes images as far outside as `reach` for images of the boundary: those of a map onto this
+    /// one's image that is only so accurate.
+    #[must_use]
+    pub fn reaching(self, reach: f64) -> Self {
+        Self { reached: reach.max(REACHED), ..self }
     }
 
     /// Makes now what evaluation makes at its first use, either way.
@@ -72,7 +91,9 @@ impl Canonical {
     /// # Errors
     /// [`Error::Cancelled`](crate::Error::Cancelled); what was finished by then is kept.
     pub fn prepare(&self, progress: Progress) -> Result<()> {
-        self.field.prepare(progress)?;
+        for field in iter::once(&self.field).chain(&self.partner) {
+            field.prepare(progress)?;
+        }
         let back = self.back();
         self.inverting(back, |inverted| back.tree.fill(inverted, progress))
     }
@@ -111,8 +132,14 @@ impl Canonical {
 
     /// (k, k') at a point; `None` outside the closed domain.
     fn key(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        let factor = self.form.factor;
         let (value, slope) = self.field.fast(z)?;
-        Some((self.form.factor * value + self.form.shift, self.form.factor * slope))
+        let (key, slope) = (factor * value + self.form.shift, factor * slope);
+        let Some(partner) = &self.partner else { return Some((key, slope)) };
+        let factor = Complex64::i() * factor;
+        let (value, partner_slope) = partner.fast(z)?;
+        let sum = key + factor * value;
+        Some((-sum.ln(), -(slope + factor * partner_slope) / sum))
     }
 
     /// f' where f is 0: the mean of f/(z − zero) over a small circle.
@@ -180,7 +207,12 @@ impl Canonical {
             return self.inverse(w);
         }
         let circle = if near(low) { low } else { high };
-        let w = w * (circle - log).exp();
+        self.inverse_on_boundary(w * (circle - log).exp())
+    }
+
+    /// [`Canonical::inverse`] of an image of the boundary, up to rounding.
+    #[must_use]
+    pub fn inverse_on_boundary(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
         let (z, slope) = self.inverse(w).or_else(|| self.vertex_at(w.ln()))?;
         Some((self.domain().nearest(z).place.point, slope))
     }
@@ -191,7 +223,7 @@ impl Canonical {
         let polygons = self.domain().contours().iter().filter(|contour| contour.smooth().is_none());
         let mut vertices = polygons.flat_map(|contour| contour.polygon().vertices());
         let found =
-            vertices.find(|&&z| self.key(z).is_some_and(|(key, _)| self.miss(key, target).norm() <= REACHED))?;
+            vertices.find(|&&z| self.key(z).is_some_and(|(key, _)| self.miss(key, target).norm() <= self.reached))?;
         Some((*found, Complex64::ZERO))
     }
 
@@ -234,7 +266,7 @@ impl Canonical {
                 break;
             }
         }
-        (miss.norm() <= REACHED).then_some((z, slope))
+        (miss.norm() <= self.reached).then_some((z, slope))
     }
 
     /// From a known pair along the straight way.

@@ -5,6 +5,8 @@
 
 mod annulus;
 mod canonical;
+mod circle;
+mod circles;
 mod curve_squares;
 mod cuts;
 mod electrostatics;
@@ -19,11 +21,14 @@ mod level_lines;
 mod peak;
 mod polygon_squares;
 mod seeds;
+mod slit_shapes;
 mod slits;
 mod solved;
 mod wall_patch;
 
 pub use annulus::{AnnulusMap, RingLines};
+pub use circle::Circle;
+pub use circles::CircleMap;
 pub use electrostatics::{Conductors, Electrostatics};
 pub use exterior::ExteriorMap;
 pub use flow::{Circulation, FlowLines, PotentialFlow};

@@ -1,6 +1,7 @@
 //! Regions with holes, and the outside of bodies.
 
 mod annulus;
+mod circles;
 mod estimate;
 mod evaluation;
 mod exterior;
