@@ -1,0 +1,68 @@
+// Level lines as JavaScript sees them: flat points, where lines begin, their values, paths.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import init, { AnnulusMap, Electrostatics, PotentialFlow, Region } from "conformal-warp";
+
+await init();
+
+const square = (/** @type {number} */ half) => new Float64Array([-half, -half, half, -half, half, half, -half, half]);
+const frame = () => new Region({ boundary: square(1), holes: [square(0.5)] });
+const window = { center: /** @type {[number, number]} */ ([0, 0]), width: 6, pixels: /** @type {[number, number]} */ ([600, 600]) };
+
+/** The points of line `k`. @param {import("conformal-warp").LevelLines} lines @param {number} k */
+const line = (lines, k) => lines.points.slice(2 * lines.starts[k], 2 * lines.starts[k + 1]);
+
+/** @param {import("conformal-warp").LevelLines} lines */
+const holdsTogether = (lines) => {
+  assert.equal(lines.starts.length, lines.length + 1);
+  assert.equal(lines.levels.length, lines.length);
+  assert.equal(lines.closed.length, lines.length);
+  assert.equal(lines.starts[lines.length] * 2, lines.points.length);
+  assert.ok(lines.length > 0 && lines.points.every(Number.isFinite));
+};
+
+test("circles and rays of a ring", () => {
+  const map = AnnulusMap.solve(frame());
+  const circles = map.levelLines("circles", new Float64Array([0.6, 0.8]));
+  holdsTogether(circles);
+  assert.deepEqual([...circles.closed], [1, 1]);
+  for (const [k, level] of circles.levels.entries()) {
+    const images = map.toAnnulus(line(circles, k));
+    for (let j = 0; j < images.length; j += 2) assert.ok(Math.abs(Math.hypot(images[j], images[j + 1]) - level) < 1e-7);
+  }
+  const rays = map.levelLines("rays", new Float64Array([1]));
+  holdsTogether(rays);
+  assert.deepEqual([...rays.closed], [0]);
+  const images = map.toAnnulus(line(rays, 0));
+  for (let j = 0; j < images.length; j += 2) assert.ok(Math.abs(Math.atan2(images[j + 1], images[j]) - 1) < 1e-7);
+  const path = circles.svgPath(window);
+  assert.equal(path.match(/M/gi)?.length, 2);
+  assert.equal(path.match(/Z/gi)?.length, 2);
+  assert.throws(() => map.levelLines(/** @type {any} */ ("squares"), new Float64Array([1])), { code: "invalid-argument" });
+});
+
+test("equal potentials and lines of force", () => {
+  const field = Electrostatics.solve(frame(), { potentials: [0, 1] });
+  const lines = field.levelLines(new Float64Array([0.25, 0.5]), window);
+  holdsTogether(lines);
+  for (const [k, level] of lines.levels.entries()) {
+    assert.ok(field.potential(line(lines, k)).every((value) => Math.abs(value - level) < 1e-6));
+  }
+  const force = field.forceLines(12, window);
+  holdsTogether(force);
+  const along = field.potential(line(force, 0)).filter((value) => !Number.isNaN(value));
+  assert.ok(along.length > 2 && along.every((value, k) => k === 0 || value < along[k - 1] + 1e-9), "they fall with the field");
+});
+
+test("streamlines", () => {
+  const region = Region.exterior({ holes: [square(1)] });
+  const flow = PotentialFlow.past(region, { angle: 0.2 });
+  const lines = flow.levelLines("streamlines", new Float64Array([-1, 1]), window);
+  holdsTogether(lines);
+  for (const [k, level] of lines.levels.entries()) {
+    const misses = [...flow.stream(line(lines, k))].map((value) => Math.abs(value - level));
+    // The ends are where the last chord leaves the frame.
+    assert.ok(misses.slice(1, -1).every((miss) => miss < 1e-9) && misses.every((miss) => miss < 1e-4), `${Math.max(...misses)}`);
+  }
+});
