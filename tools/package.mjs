@@ -77,7 +77,7 @@ function fingerprint() {
 async function optimised(module, name) {
   // LLVM has inlined what it pays to inline: once more makes the module larger, not faster. In the order of how often they are
   // named, functions and locals have shorter names.
-  const passes = ["-O3", "--one-caller-inline-max-function-size=0", "--reorder-functions", "--reorder-locals"];
+  const passes = ["-O3", "--one-caller-inline-max-function-size=0", "--flexible-inline-max-function-size=0", "--always-inline-max-function-size=0", "--reorder-functions", "--reorder-locals"];
   const inputs = createHash("sha256").update(readFileSync(module)).update(passes.join(" "));
   const result = join(built, `${name}-${inputs.digest("hex").slice(0, 16)}.wasm`);
   if (existsSync(result)) return result;

@@ -8,14 +8,14 @@ use crate::map::{Jet, pointwise};
 use crate::plane::{BoundaryPoint, Complex64, NOWHERE};
 use crate::stored::Writer;
 use crate::symm::options::{Progress, SolveOptions};
-use std::fmt::Debug;
+use std::fmt;
 use std::sync::Arc;
 
 /// A region with its solution of Symm's equation: region ↔ disk with vertex 0 ↦ 1, in plane units, with the evidence.
 ///
 /// A point of the disk is a [`DiskPoint`]: a number in one of the region's charts, of which there is one, the disk itself,
 /// unless a kind of region says otherwise.
-pub(super) trait SolvedRegion: Debug + Send + Sync {
+pub(super) trait SolvedRegion: Send + Sync {
     /// How good the solution is.
     fn evidence(&self) -> Evidence;
 
@@ -138,5 +138,12 @@ pub(super) trait SolvedRegion: Debug + Send + Sync {
     /// Bytes of memory that this took so far, about.
     fn bytes(&self) -> usize {
         0
+    }
+}
+
+/// Of any kind: as a part of the trait it would have every module carry the text of all that a solved region holds.
+impl fmt::Debug for dyn SolvedRegion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("SolvedRegion").field("evidence", &self.evidence()).finish_non_exhaustive()
     }
 }

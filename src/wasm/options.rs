@@ -95,21 +95,21 @@ impl From<Frame> for FrameOptions {
 /// "invalid-option", with the option's path, for one that is unknown, missing or of the wrong kind.
 pub fn read<T: Tsify + DeserializeOwned>(given: &Ts<T>) -> Result<T, Failure> {
     let value = given.js_value();
-    if !value.is_object() {
-        let known = field_names::<T>().join(", ");
-        return Err(Failure::option("", &format!("Options must be an object; its keys can be {known}.")));
-    }
-    refuse_unknown::<T>(&value)?;
-    let attempt = |value: &JsValue| T::deserialize(serde_wasm_bindgen::Deserializer::from(value.clone()));
-    attempt(&value).map_err(|error| {
-        let reason = |error: serde_wasm_bindgen::Error| {
-            let reason = error.to_string();
-            reason.strip_prefix("Error: ").map(str::to_string).unwrap_or(reason)
-        };
-        let reason_now = reason(error);
-        let path = culprit(&value, &reason_now, &|value| attempt(value).err().map(reason));
-        describe(&path, &reason_now)
+    refuse_unknown(&value, field_names::<T>())?;
+    attempt(&value).map_err(|reason| explained(&value, &reason, &|value| attempt::<T>(value).err()))
+}
+
+/// The options, or serde's reason against them. Every kind of options is compiled once, here.
+#[inline(never)]
+fn attempt<T: DeserializeOwned>(value: &JsValue) -> Result<T, String> {
+    T::deserialize(serde_wasm_bindgen::Deserializer::from(value.clone())).map_err(|error| {
+        let reason = error.to_string();
+        reason.strip_prefix("Error: ").map(str::to_string).unwrap_or(reason)
     })
+}
+
+fn explained(value: &JsValue, reason: &str, failure: &dyn Fn(&JsValue) -> Option<String>) -> Failure {
+    describe(&culprit(value, reason, failure), reason)
 }
 
 /// The path of what fails for a reason: without it there is another reason, or none.
@@ -177,8 +177,11 @@ pub fn write<T: Tsify + Serialize>(value: &T) -> Result<Ts<T>, Failure> {
 }
 
 /// A misspelled option must not be silently ignored.
-fn refuse_unknown<T: DeserializeOwned>(value: &JsValue) -> Result<(), Failure> {
-    let known = field_names::<T>();
+fn refuse_unknown(value: &JsValue, known: &[&str]) -> Result<(), Failure> {
+    if !value.is_object() {
+        let known = known.join(", ");
+        return Err(Failure::option("", &format!("Options must be an object; its keys can be {known}.")));
+    }
     for key in Object::keys(value.unchecked_ref::<Object>()).iter().filter_map(|key| key.as_string()) {
         if !known.contains(&key.as_str()) {
             let message = format!("There is no option \"{key}\"; there are {}.", known.join(", "));
