@@ -69,6 +69,15 @@ impl Contour {
         Ok(Self { polygon, shape: Shape::Curved(Arc::new(curved)), thickness })
     }
 
+    /// As a polygon, if it is a chain of edges that are all straight.
+    pub fn straightened(&self) -> Option<Self> {
+        let edges = self.curved()?.edges();
+        let vertices: Vec<Complex64> = edges.iter().map(Edge::from).collect();
+        let is_straight = edges.iter().all(|edge| matches!(edge, Edge::Line { .. }));
+        let same = |contour: &Self| contour.polygon.vertices() == vertices;
+        if is_straight { Self::new(&vertices, Curve::Polygon).ok().filter(same) } else { None }
+    }
+
     /// The same curve, `by` plane units away; that should be no farther from 0 than this one.
     pub fn moved(&self, by: Complex64) -> Self {
         let shape = match &self.shape {

@@ -82,6 +82,11 @@ impl Region {
         Ok(Self { center, toward: self.nearest(toward), ..self.clone() })
     }
 
+    /// The same region as a polygon, if it is bounded by edges that are all straight: a polygon's map is faster, and has charts.
+    pub(crate) fn straightened(&self) -> Option<Self> {
+        Some(Self { contour: self.contour.straightened()?, ..self.clone() })
+    }
+
     /// What coordinates should be given relative to, so that a region far from 0 keeps its digits; and the region there.
     pub(crate) fn local(&self) -> (Complex64, Self) {
         let origin = self.polygon().origin();

@@ -3,9 +3,9 @@
 use super::options::Progress;
 use super::order::Order;
 use super::panel::{Boundary, Panel};
-use super::panelled::{Panelled, Refinable};
+use super::panelled::Panelled;
 use super::problem::{Source, Target};
-use super::refinement::Refinement;
+use super::refinement::{Refinable, Refinement};
 use super::rule::{PanelRule, Rules};
 use super::thin_walls::ThinWalls;
 use crate::Result;

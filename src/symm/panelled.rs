@@ -1,11 +1,9 @@
 //! What the equations ask of a boundary cut into panels, straight or curved.
 
-use super::options::Progress;
 use super::order::Order;
 use super::panel::Panel;
 use super::problem::{Source, Target};
-use super::refinement::Refinement;
-use super::rule::{PanelRule, Rules};
+use super::rule::PanelRule;
 use super::thin_walls::ThinWalls;
 use crate::plane::Complex64;
 use std::ops::Range;
@@ -74,16 +72,4 @@ pub trait Panelled: Send + Sync {
     fn points(&self, taus: &[f64]) -> Vec<Complex64> {
         self.targets(taus).iter().map(|target| self.vertex(target.panel) + target.offset).collect()
     }
-}
-
-/// Panels that can be halved where the equation does not hold yet.
-pub trait Refinable: Panelled + Sized {
-    /// The panels to halve, for residuals (one a panel) beside an acceptable one.
-    fn refinement(&self, residuals: &[f64], acceptable: f64) -> Refinement;
-
-    /// The refined panels; if they need more halving to be seen well, that goes into the refinement.
-    ///
-    /// # Errors
-    /// [`Error::Cancelled`](crate::Error::Cancelled).
-    fn refined(&self, refinement: &mut Refinement, rules: &mut Rules, progress: Progress) -> crate::Result<Self>;
 }

@@ -1,7 +1,9 @@
 //! From the panels of one round to those of the next: some are halved, the others are kept.
 
+use super::options::Progress;
 use super::panel::Panel;
 use super::panelled::Panelled;
+use super::rule::Rules;
 
 /// Panels, and where they come from.
 #[derive(Clone, Debug)]
@@ -97,6 +99,18 @@ impl Refinement {
         }
         carried
     }
+}
+
+/// Panels that can be halved where the equation does not hold yet.
+pub trait Refinable: Panelled + Sized {
+    /// The panels to halve, for residuals (one a panel) beside an acceptable one.
+    fn refinement(&self, residuals: &[f64], acceptable: f64) -> Refinement;
+
+    /// The refined panels; if they need more halving to be seen well, that goes into the refinement.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    fn refined(&self, refinement: &mut Refinement, rules: &mut Rules, progress: Progress) -> crate::Result<Self>;
 }
 
 #[cfg(test)]

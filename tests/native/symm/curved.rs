@@ -232,10 +232,30 @@ fn ellipse_of_arcs_is_an_ellipse() {
     assert!(slope < 1e-10, "{slope:e}");
 }
 
+/// The straight edges between corners, the first one written as a curve, so that the chain is not taken for a polygon.
+fn nearly_polygon(corners: &[Complex64]) -> Vec<Edge> {
+    let line = |k: usize| Edge::line(corners[k], corners[(k + 1) % corners.len()]);
+    let (a, b) = (corners[0], corners[1]);
+    let first = Edge::Cubic([a, a + (b - a) / 3.0, b - (b - a) / 3.0, b]);
+    std::iter::once(first).chain((1..corners.len()).map(line)).collect()
+}
+
+#[test]
+fn chains_of_lines_are_polygons() {
+    let corners = [c(0.0, 0.0), c(12.0, 0.0), c(12.0, 1.0), c(1.0, 1.0), c(1.0, 2.0), c(0.0, 2.0)];
+    let edges: Vec<_> = (0..6).map(|k| Edge::line(corners[k], corners[(k + 1) % 6])).collect();
+    let (map, same) = (solve(&region(&edges, c(0.5, 0.5)), 1e-8), solve(&polygon(&corners, c(0.5, 0.5)), 1e-8));
+    let points = spread_points(same.region(), 200);
+    assert_eq!(map.to_disk(&points), same.to_disk(&points));
+    assert_eq!(map.region().curved().unwrap().edges().len(), 6);
+    let again = RiemannMap::from_bytes(&map.to_bytes()).unwrap();
+    assert_eq!(again.to_disk(&points), same.to_disk(&points));
+}
+
 #[test]
 fn straight_edges_are_a_polygon() {
     let corners = [c(0.0, 0.0), c(2.0, 0.0), c(2.0, 1.0), c(1.0, 1.0), c(1.0, 2.0), c(0.0, 2.0)];
-    let edges: Vec<_> = (0..6).map(|k| Edge::line(corners[k], corners[(k + 1) % 6])).collect();
+    let edges = nearly_polygon(&corners);
     let center = c(0.5, 0.5);
     let (map, reference) = (solve(&region(&edges, center), 1e-12), solve(&polygon(&corners, center), 1e-13));
     // Both have vertex 0 at 1 once they are turned.
@@ -250,7 +270,7 @@ fn straight_edges_are_a_polygon() {
 #[test]
 fn the_way_back_from_a_polygon_of_any_angles() {
     let corners = [c(0.7, 0.1), c(-0.3, 0.7), c(-0.5, 0.25), c(-0.1, 0.0), c(-0.3, -0.35), c(0.4, -0.5)];
-    let edges: Vec<_> = (0..6).map(|k| Edge::line(corners[k], corners[(k + 1) % 6])).collect();
+    let edges = nearly_polygon(&corners);
     let center = c(0.2, 0.0);
     let (map, reference) = (solve(&region(&edges, center), 1e-12), solve(&polygon(&corners, center), 1e-13));
     let points = spread_points(reference.region(), 100);
