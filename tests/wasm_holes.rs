@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use conformal_warp::wasm::annulus::AnnulusMap;
+use conformal_warp::wasm::circles::CircleMap;
 use conformal_warp::wasm::electrostatics::{ConductorOptions, Electrostatics};
 use conformal_warp::wasm::exterior::{BodyOptions, ExteriorMap};
 use conformal_warp::wasm::flow::{FlowOptions, PotentialFlow};
@@ -113,6 +114,16 @@ fn slits_fields_and_flows() {
     assert!((ends[0].hypot(ends[1]) - ends[2].hypot(ends[3])).abs() < 1e-12);
     let pole = Ts::<SlitOptions>::new_unchecked(object("kind: 'radial'"));
     assert_eq!(code(&JsValue::from(SlitMap::solve(&frame, pole, None).err().unwrap())), "invalid-option");
+
+    // A hole across the center stays there, and the map is the same both ways.
+    let centered = region("boundary: new Float64Array([-1, -1, 1, -1, 1, 1, -1, 1]), holes: [new Float64Array([0.3, -0.2, 0.7, -0.2, 0.7, 0.2, 0.3, 0.2])], center: [-0.4, 0], toward: [-1, 0]").unwrap();
+    let round = CircleMap::solve(&centered, None).unwrap();
+    let (centers, radii) = (round.centers(), round.radii());
+    assert!(centers.len() == 2 && radii.len() == 1 && radii[0] > 0.1 && centers[0] < -0.2 && centers[1].abs() < 1e-7);
+    let on_hole = round.to_circles(&[0.3, 0.1]).unwrap();
+    assert!(((on_hole[0] - centers[0]).hypot(on_hole[1] - centers[1]) - radii[0]).abs() < 1e-7);
+    let back = round.from_circles(&round.to_circles(&[0.1, 0.4]).unwrap()).unwrap();
+    assert!((back[0] - 0.1).hypot(back[1] - 0.4) < 1e-6);
 
     let given = Ts::<ConductorOptions>::new_unchecked(object("potentials: [0, 1]"));
     let field = Electrostatics::solve(&frame, given, fine()).unwrap();

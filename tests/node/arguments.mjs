@@ -10,7 +10,7 @@ import { calls, types } from "../../pkg/signatures.js";
 /** @typedef {import("../../js/check.js").Type} Type */
 /** @typedef {import("../../js/check.js").Parameter} Parameter */
 
-const { default: init, AnnulusMap, Electrostatics, ExteriorMap, FormulaMap, FoveatedTexture, HalfPlaneMap, JointTriangulation, PotentialFlow, RectangleMap, Region, RegionMap, RetinoCorticalMap, RiemannMap, SlitMap, StripMap, Texture } = warp;
+const { default: init, AnnulusMap, CircleMap, Electrostatics, ExteriorMap, FormulaMap, FoveatedTexture, HalfPlaneMap, JointTriangulation, PotentialFlow, RectangleMap, Region, RegionMap, RetinoCorticalMap, RiemannMap, SlitMap, StripMap, Texture } = warp;
 
 const declared = readFileSync(new URL("../../pkg/index.d.ts", import.meta.url), "utf8");
 const codes = new Set([.../** @type {RegExpExecArray} */ (/type ErrorCode = (.*);/.exec(declared))[1].matchAll(/"([a-z-]+)"/g)].map(([, code]) => code));
@@ -33,6 +33,7 @@ before(async () => {
     RectangleMap: RectangleMap.solve(region, { corners: [[-1, -1], [1, -1], [1, 1], [-1, 1]] }),
     StripMap: StripMap.solve(region, { ends: [[-1, 0], [1, 0]] }),
     HalfPlaneMap: HalfPlaneMap.solve(region, { pole: [1, 1] }),
+    CircleMap: CircleMap.solve(new Region({ boundary: square(1), holes: [square(0.5)], center: [0.75, 0] }), { tolerance: 1e-3 }),
     SlitMap: SlitMap.solve(ring, { kind: "annulus" }),
     Electrostatics: Electrostatics.solve(ring, { potentials: [0, 1] }),
     ExteriorMap: ExteriorMap.solve({ boundary: square(1) }),
