@@ -1,6 +1,7 @@
 // Whole solves of regions, with accuracy, estimate, unknowns and time side by side.
 
-import { RiemannMap } from "conformal-warp";
+import { readFileSync } from "node:fs";
+import { Region, RiemannMap } from "conformal-warp";
 import { fixture, largestAngle, regionOf, square } from "./lib/fixtures.mjs";
 import { Table, Target, ms, scientific } from "./lib/table.mjs";
 import { milliseconds } from "./lib/timing.mjs";
@@ -42,6 +43,7 @@ export default async function bench() {
   const table = new Table("Solve: region → Riemann map", { ...columns, time: 22 });
   for (const row of rows) table.row(...measure(row));
   newCenter();
+  outlinesOfCurves();
 }
 
 /** Another center on a solved blob100. */
@@ -53,6 +55,30 @@ function newCenter() {
   const { errorEstimate } = map.withCenter(moved);
   const time = milliseconds(() => map.withCenter(moved).free());
   table.row("blob100", scientific(1e-7), scientific(errorEstimate), new Target(time, 5, ms));
+}
+
+/** Icons as people have them: lines, arcs and Béziers that meet in corners. */
+function outlinesOfCurves() {
+  const columns = { case: 21, edges: 8, tolerance: 9, estimate: 8, unknowns: 8, time: 22, "another center": 14, "a million points": 16 };
+  const table = new Table("Outlines of lines, arcs and Béziers: region → Riemann map", columns);
+  /** @type {{ name: string, text: string }[]} */
+  const icons = Object.values(JSON.parse(readFileSync(new URL("../tests/fixtures/icons.json", import.meta.url), "utf8"))).flat();
+  /** @type {[string, [number, number]][]} */
+  const chosen = [["abjad-arabic", [8, -14.5]], ["currency-uah", [11, -10]], ["git", [6, -12]]];
+  for (const [name, center] of chosen) {
+    const path = Region.parseShape(/** @type {{ text: string }} */ (icons.find((icon) => icon.name === name)).text).path;
+    const tolerance = 1e-8;
+    const region = new Region({ path, center, toward: [0, 0] });
+    const map = RiemannMap.solve(region, { tolerance });
+    const time = milliseconds(() => RiemannMap.solve(region, { tolerance }).free());
+    const again = milliseconds(() => map.withCenter({ center: [center[0] + 0.01, center[1]], toward: [0, 0] }).free());
+    const images = Float64Array.from({ length: 2e6 }, (_, k) => 0.7 * Math.sin(12.9898 * k));
+    map.prepare();
+    const points = milliseconds(() => map.fromDisk(images));
+    const edges = (path.match(/[LAQC]/g) ?? []).length;
+    table.row(name, edges, scientific(tolerance), scientific(map.errorEstimate), map.unknowns, new Target(time, 60, ms), ms(again), ms(points));
+    map.free();
+  }
 }
 
 /** @param {Row} row */

@@ -119,6 +119,12 @@ fn icons_are_solved_as_they_are_drawn() {
         let back = largest(back.map(|((z, exact), slope)| (z - exact).norm() * slope.norm()));
         let error = there.max(back);
         assert!(error <= estimate + finer.error_estimate(), "{name}: {error:e}, estimate {estimate:e}");
+        // There and back close to the circle, where each way may err by the estimate.
+        let crowded: Vec<Complex64> =
+            (0..200).map(|k| Complex64::from_polar(1.0 - 0.86f64.powi(k), f64::from(k * k))).collect();
+        let there_and_back = map.to_disk(&map.from_disk(&crowded));
+        let trip = there_and_back.iter().zip(&crowded).map(|(a, b)| (a - b).norm());
+        assert!(trip.clone().all(|miss| miss <= 2.0 * estimate), "{name}: {:e}, estimate {estimate:e}", largest(trip));
         solved += 1;
         unknowns += map.unknowns();
         nearest = f64::max(nearest, error / estimate);
