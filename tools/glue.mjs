@@ -15,7 +15,16 @@ export function adaptGlue(generated) {
     [/^let cachedTextDecoder = new TextDecoder\(.*\);\ncachedTextDecoder\.decode\(\);$/m, "let cachedTextDecoder;"],
     [/^( *)return cachedTextDecoder\.decode\(/m, "$1cachedTextDecoder ??= textDecoder();\n$1return cachedTextDecoder.decode("],
     [/^const cachedTextEncoder = new TextEncoder\(\);$/m, "const cachedTextEncoder = textEncoder();"],
-  ].reduce((text, [from, to]) => replace(text, /** @type {RegExp} */ (from), /** @type {string} */ (to)), calls) + ADDED;
+  ].reduce((text, [from, to]) => replace(text, /** @type {RegExp} */ (from), /** @type {string} */ (to)), undescribed(calls)) + ADDED;
+}
+
+/**
+ * Without the descriptions, which the types have as well.
+ *
+ * @param {string} text
+ */
+function undescribed(text) {
+  return text.replace(/^ *\/\*\*\n(?: *\*.*\n)*? *\*\/\n/gm, "");
 }
 
 const ADDED = `
