@@ -31,11 +31,14 @@ impl CurvedOutline {
     /// [`Error::SelfIntersecting`] if edges cross or touch themselves or others.
     pub fn new(edges: &[Edge]) -> Result<Self> {
         let n = edges.len();
+        if n == 0 {
+            return Err(wrong("it has no edges".to_string()));
+        }
         if let Some(k) = edges.iter().position(Edge::overlaps_itself) {
             return Err(wrong(format!("edge {k} is an arc of more than a full turn")));
         }
         let corners: Vec<(Complex64, Complex64)> = edges.iter().map(Edge::bounds).collect();
-        if n == 0 || corners.iter().any(|(low, high)| !low.is_finite() || !high.is_finite()) {
+        if corners.iter().any(|(low, high)| !low.is_finite() || !high.is_finite()) {
             return Err(Error::NotFinite { what: "The outline".to_string() });
         }
         let low = corners.iter().fold(corners[0].0, |a, (b, _)| Complex64::new(a.re.min(b.re), a.im.min(b.im)));

@@ -232,6 +232,12 @@ fn ellipse_of_arcs_is_an_ellipse() {
     assert!(slope < 1e-10, "{slope:e}");
 }
 
+#[test]
+fn outlines_need_edges() {
+    let error = Region::from_edges(&[], ORIGIN, ORIGIN).unwrap_err();
+    assert!(error.code() == "invalid-outline" && error.to_string().contains("no edges"), "{error}");
+}
+
 /// The straight edges between corners, the first one written as a curve, so that the chain is not taken for a polygon.
 fn nearly_polygon(corners: &[Complex64]) -> Vec<Edge> {
     let line = |k: usize| Edge::line(corners[k], corners[(k + 1) % corners.len()]);
