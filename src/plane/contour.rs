@@ -72,10 +72,11 @@ impl Contour {
     /// As a polygon, if it is a chain of edges that are all straight.
     pub fn straightened(&self) -> Option<Self> {
         let edges = self.curved()?.edges();
+        if !edges.iter().all(|edge| matches!(edge, Edge::Line { .. })) {
+            return None;
+        }
         let vertices: Vec<Complex64> = edges.iter().map(Edge::from).collect();
-        let is_straight = edges.iter().all(|edge| matches!(edge, Edge::Line { .. }));
-        let same = |contour: &Self| contour.polygon.vertices() == vertices;
-        if is_straight { Self::new(&vertices, Curve::Polygon).ok().filter(same) } else { None }
+        Self::new(&vertices, Curve::Polygon).ok().filter(|contour| contour.polygon.vertices() == vertices)
     }
 
     /// The same curve, `by` plane units away; that should be no farther from 0 than this one.

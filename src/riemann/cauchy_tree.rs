@@ -2,11 +2,12 @@
 //!
 //! A square takes over its parent's series and what was near it; squares are decided when a target in them is first asked for.
 
-use super::atlas::power_series::value_and_slope;
+use super::atlas::power_series::{Series, value_and_slope};
 use super::lazy_tree::{Decision, LazyTree, Square};
 use crate::Result;
 use crate::plane::Complex64;
 use crate::symm::curved_cauchy::{CauchyPart, Evaluated, Sampled, Seen, Side, Sums, sums_from};
+use crate::symm::multipole::shift_series;
 use crate::symm::options::Progress;
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
@@ -14,14 +15,13 @@ use std::sync::Arc;
 /// Squares around all targets of one side.
 #[derive(Debug)]
 pub(super) struct CauchyTree {
-    tree: LazyTree<Known, Leaf>,
+    tree: LazyTree<FarAndNear, Leaf>,
     side: Side,
-    terms: usize,
 }
 
-/// What a square hands on to its quarters.
+/// Series of what is far, and the parts that are not: also what a square hands on to its quarters.
 #[derive(Clone, Debug)]
-struct Known {
+pub(super) struct FarAndNear {
     far: Arc<FarSeries>,
     near: Arc<[Arc<CauchyPart>]>,
 }
@@ -40,24 +40,9 @@ pub(super) enum Leaf {
     /// The map.
     Series(Series),
     /// Both sums, but for what is near.
-    Near(NearSums),
+    Near(FarAndNear),
     /// The boundary does not go around it.
     Outside,
-}
-
-/// Σ cₖ ((z − center)/radius)ᵏ.
-#[derive(Debug)]
-pub(super) struct Series {
-    center: Complex64,
-    radius: f64,
-    coefficients: Box<[Complex64]>,
-}
-
-/// Series of what is far, and the parts that are not.
-#[derive(Debug)]
-pub(super) struct NearSums {
-    far: Arc<FarSeries>,
-    near: Arc<[Arc<CauchyPart>]>,
 }
 
 /// Series are of what lies this many radii away: terms fall like its powers.
@@ -79,8 +64,8 @@ impl CauchyTree {
             radius: half * SQRT_2,
             series: [vec![Complex64::ZERO; terms], vec![Complex64::ZERO; terms]],
         };
-        let known = Known { far: Arc::new(far), near: parts.into() };
-        Self { tree: LazyTree::new(center, half, known), side, terms }
+        let known = FarAndNear { far: Arc::new(far), near: parts.into() };
+        Self { tree: LazyTree::new(center, half, known), side }
     }
 
     /// What is known where a target lies; `None` beyond all squares.
@@ -100,8 +85,12 @@ impl CauchyTree {
 
     /// The value, its derivative, and what the sums below give for 1; `None` if the target is on the boundary.
     #[must_use]
-    pub fn near(&self, sums: &NearSums, target: Complex64, solution: &dyn Sampled) -> Option<Evaluated> {
-        let NearSums { far, near } = sums;
+    pub fn near(
+        &self,
+        FarAndNear { far, near }: &FarAndNear,
+        target: Complex64,
+        solution: &dyn Sampled,
+    ) -> Option<Evaluated> {
         let [(above, above_slope), (below, below_slope)] =
             [0, 1].map(|k| value_and_slope(&far.series[k], (target - far.center) / far.radius));
         let (above_slope, below_slope) = (above_slope / far.radius, below_slope / far.radius);
@@ -109,7 +98,7 @@ impl CauchyTree {
         sums_from(sums, solution, near, target, self.side).map(|sums| sums.evaluated())
     }
 
-    fn decide(&self, solution: &dyn Sampled, square: &Square, known: &Known) -> Decision<Known, Leaf> {
+    fn decide(&self, solution: &dyn Sampled, square: &Square, known: &FarAndNear) -> Decision<FarAndNear, Leaf> {
         let circle = (square.center, square.half * SQRT_2);
         let mut far = known.far.moved(circle);
         let mut near = Vec::new();
@@ -125,24 +114,11 @@ impl CauchyTree {
             }
         }
         if near.is_empty() {
-            return Decision::Leaf(far.quotient(self.terms).map_or(Leaf::Outside, Leaf::Series));
+            return Decision::Leaf(far.quotient().map_or(Leaf::Outside, Leaf::Series));
         }
         let is_last = near.len() <= MOST_NEAR && square.level >= LEAST_LEVEL || square.level >= DEEPEST;
-        let known = Known { far: Arc::new(far), near: near.into() };
-        if is_last {
-            return Decision::Leaf(Leaf::Near(NearSums { far: known.far, near: known.near }));
-        }
-        Decision::Split(known)
-    }
-}
-
-impl Series {
-    /// The value and its derivative.
-    #[inline]
-    #[must_use]
-    pub fn at(&self, z: Complex64) -> (Complex64, Complex64) {
-        let (value, slope) = value_and_slope(&self.coefficients, (z - self.center) / self.radius);
-        (value, slope / self.radius)
+        let known = FarAndNear { far: Arc::new(far), near: near.into() };
+        if is_last { Decision::Leaf(Leaf::Near(known)) } else { Decision::Split(known) }
     }
 }
 
@@ -150,35 +126,20 @@ impl FarSeries {
     /// The same in a smaller circle.
     fn moved(&self, (center, radius): (Complex64, f64)) -> Self {
         let (shift, shrink) = ((center - self.center) / self.radius, radius / self.radius);
-        let series = self.series.each_ref().map(|from| {
-            // Repeated synthetic division.
-            let mut to = from.clone();
-            let mut power = 1.0;
-            for l in 0..to.len() {
-                for k in (l..to.len() - 1).rev() {
-                    let above = to[k + 1];
-                    to[k] += above * shift;
-                }
-            }
-            for c in &mut to {
-                *c *= power;
-                power *= shrink;
-            }
-            to
-        });
+        let series = self.series.each_ref().map(|series| shift_series(series.clone(), shift, shrink));
         Self { center, radius, series }
     }
 
     /// What is above over what is below, unless that is about 0, as outside the boundary.
-    fn quotient(&self, terms: usize) -> Option<Series> {
+    fn quotient(&self) -> Option<Series> {
         let [above, below] = &self.series;
         let is_inside = (below[0] - 1.0).norm() < 0.5;
         if !is_inside {
             return None;
         }
         let scale = below[0].inv();
-        let mut coefficients: Vec<Complex64> = Vec::with_capacity(terms);
-        for k in 0..terms {
+        let mut coefficients: Vec<Complex64> = Vec::with_capacity(above.len());
+        for k in 0..above.len() {
             let rest: Complex64 = (1..=k).map(|j| below[j] * coefficients[k - j]).sum();
             coefficients.push((above[k] - rest) * scale);
         }

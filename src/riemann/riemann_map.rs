@@ -47,15 +47,14 @@ impl RiemannMap {
     /// [`Error::InvalidOption`](crate::Error::InvalidOption), [`Error::Cancelled`](crate::Error::Cancelled), and
     /// [`Error::NegativeMass`](crate::Error::NegativeMass) if no trustworthy map was found.
     pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Result<Self> {
-        let polygon = region.straightened();
-        let solved: Arc<dyn SolvedRegion> = if let Some(polygon) = polygon {
-            Arc::new(SolvedPolygon::solve(&polygon, options, progress)?)
-        } else if let Some(edges) = SolvedEdges::solve(region, options, progress)? {
+        let straight = region.straightened();
+        let bounded = straight.as_ref().unwrap_or(region);
+        let solved: Arc<dyn SolvedRegion> = if let Some(edges) = SolvedEdges::solve(bounded, options, progress)? {
             Arc::new(edges)
-        } else if let Some(curve) = SolvedCurve::solve(region, options, progress)? {
+        } else if let Some(curve) = SolvedCurve::solve(bounded, options, progress)? {
             Arc::new(curve)
         } else {
-            Arc::new(SolvedPolygon::solve(region, options, progress)?)
+            Arc::new(SolvedPolygon::solve(bounded, options, progress)?)
         };
         Ok(Self::new(region.clone(), options, solved))
     }
@@ -116,11 +115,12 @@ impl RiemannMap {
     pub(super) fn restore(from: &mut Reader) -> Result<Self> {
         let region = Region::restore(from)?;
         let options = SolveOptions::restore(from)?;
-        let solved: Arc<dyn SolvedRegion> = match (region.curve(), region.straightened()) {
-            (Curve::Smooth, _) => Arc::new(SolvedCurve::restore(&region, from)?),
-            (_, Some(polygon)) => Arc::new(SolvedPolygon::restore(&polygon, &options, from)?),
-            (Curve::Polygon, None) => Arc::new(SolvedPolygon::restore(&region, &options, from)?),
-            (Curve::Edges, None) => Arc::new(SolvedEdges::restore(&region, from)?),
+        let straight = region.straightened();
+        let bounded = straight.as_ref().unwrap_or(&region);
+        let solved: Arc<dyn SolvedRegion> = match bounded.curve() {
+            Curve::Smooth => Arc::new(SolvedCurve::restore(bounded, from)?),
+            Curve::Polygon => Arc::new(SolvedPolygon::restore(bounded, &options, from)?),
+            Curve::Edges => Arc::new(SolvedEdges::restore(bounded, from)?),
         };
         Ok(Self::new(region, &options, solved))
     }

@@ -1,6 +1,6 @@
 //! A boundary of analytic edges cut into panels: each runs from a corner over the parameter of its edge.
 
-use super::panel::Panel;
+use super::panel::{Panel, halved, halved_where};
 use super::problem::Target;
 use crate::plane::{Complex64, CurvedOutline, Edge, Polygon};
 
@@ -216,13 +216,13 @@ impl CurvedBoundary {
             panels.push(self.panel(arm, 0.0, 0.5));
         }
         let wild = |panel: &Panel| !self.is_slow(panel) && self.bend(panel) > TAME;
-        self.facing(split_where(panels, &wild), center)
+        self.facing(halved_where(panels, &wild), center)
     }
 
     /// Halves panels until none is longer than its distance from the center, or much longer than its neighbour.
     #[must_use]
     pub fn facing(&self, panels: Vec<Panel>, center: Complex64) -> Vec<Panel> {
-        self.balanced(split_where(panels, &|panel| self.length(panel) > self.distance(panel, center)))
+        self.balanced(halved_where(panels, &|panel| self.length(panel) > self.distance(panel, center)))
     }
 
     /// Halves panels until none is much longer than its neighbour.
@@ -236,27 +236,9 @@ impl CurvedBoundary {
             if !marked.contains(&true) {
                 return panels;
             }
-            let halves = |(panel, split): (&Panel, &bool)| {
-                if *split { panel.halves().to_vec() } else { vec![*panel] }
-            };
-            panels = panels.iter().zip(&marked).flat_map(halves).collect();
+            panels = halved(&panels, &marked);
         }
     }
-}
-
-/// Halves panels, and their halves, as far as `wild` says so and they can be halved; in the same order.
-fn split_where(panels: Vec<Panel>, wild: &dyn Fn(&Panel) -> bool) -> Vec<Panel> {
-    let mut done = Vec::with_capacity(panels.len());
-    let mut open: Vec<Panel> = panels.into_iter().rev().collect();
-    while let Some(panel) = open.pop() {
-        if panel.can_be_halved() && wild(&panel) {
-            let [first, second] = panel.halves();
-            open.extend([second, first]);
-        } else {
-            done.push(panel);
-        }
-    }
-    done
 }
 
 /// The exponent a of the corner variable s = τ^a at an interior angle απ.

@@ -4,7 +4,7 @@ use super::curved_boundary::CurvedBoundary;
 use super::curved_kernel::CurvedPanel;
 use super::options::Progress;
 use super::order::Order;
-use super::panel::Panel;
+use super::panel::{Panel, halved};
 use super::panelled::Panelled;
 use super::problem::{Source, Target};
 use super::refinement::{Refinable, Refinement};
@@ -68,8 +68,7 @@ impl CurvedDiscretisation {
             if !blind.contains(&true) {
                 return Ok(discretisation);
             }
-            let halves = |(panel, blind): (&Panel, &bool)| if *blind { panel.halves().to_vec() } else { vec![*panel] };
-            panels = panels.iter().zip(&blind).flat_map(halves).collect();
+            panels = halved(&panels, &blind);
         }
         Err(Error::Inaccurate { estimate: f64::INFINITY })
     }

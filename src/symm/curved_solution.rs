@@ -136,12 +136,7 @@ impl CurvedSolution {
     /// # Errors
     /// [`Error::Cancelled`], if it must be assembled.
     pub fn system(&self, progress: Progress) -> Result<Arc<System<CurvedDiscretisation>>> {
-        if let Some(system) = self.system.get() {
-            return Ok(Arc::clone(system));
-        }
-        let system = Arc::new(System::new(Arc::clone(&self.discretisation), progress)?);
-        // If another thread was first, its is the same.
-        Ok(Arc::clone(self.system.get_or_init(|| system)))
+        System::kept_in(&self.system, &self.discretisation, progress)
     }
 
     /// The panels in Cauchy's formula.

@@ -6,7 +6,7 @@
 
 use super::clusters::{Cluster, ClusterTree, Interactions};
 use super::influence::Influence;
-use super::multipole::{binomials, shift_multipole};
+use super::multipole::{binomials, shift_multipole, shift_series};
 use super::options::Progress;
 use super::panelled::Panelled;
 use super::refinement::Refinement;
@@ -173,18 +173,8 @@ impl FastInfluence {
     /// Downward: adds the parent's Taylor series to a child's.
     fn shift_local(&self, parent: &Cluster, from: &[Complex64], child: &Cluster, to: &mut [Complex64]) {
         let shift = (child.center - parent.center) / parent.radius;
-        let shrink = child.radius / parent.radius;
-        // Repeated synthetic division re-expands the polynomial around the child's center.
-        let mut work = from.to_vec();
-        let mut power = 1.0;
-        for l in 0..work.len() {
-            for k in (l..work.len() - 1).rev() {
-                let above = work[k + 1];
-                work[k] += above * shift;
-            }
-            to[l] += work[l] * power;
-            power *= shrink;
-        }
+        let series = shift_series(from.to_vec(), shift, child.radius / parent.radius);
+        to.iter_mut().zip(series).for_each(|(b, c)| *b += c);
     }
 
     fn locals(&self, multipoles: &[Complex64]) -> Vec<Complex64> {

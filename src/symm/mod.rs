@@ -55,7 +55,7 @@ pub(crate) mod local_series;
 mod log_moments;
 mod lu;
 pub(crate) mod measure;
-mod multipole;
+pub(crate) mod multipole;
 pub mod options;
 mod order;
 pub(crate) mod panel;

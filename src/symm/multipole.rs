@@ -28,6 +28,21 @@ pub fn shift_multipole(child: &Cluster, from: &[Complex64], parent: &Cluster, to
     }
 }
 
+/// Σ cₖ tᵏ as a series in u, t = shift + shrink·u: a Taylor series in a circle within the first, by repeated synthetic division.
+#[must_use]
+pub fn shift_series(mut series: Vec<Complex64>, shift: Complex64, shrink: f64) -> Vec<Complex64> {
+    let mut power = 1.0;
+    for l in 0..series.len() {
+        for k in (l..series.len() - 1).rev() {
+            let above = series[k + 1];
+            series[k] += above * shift;
+        }
+        series[l] *= power;
+        power *= shrink;
+    }
+    series
+}
+
 /// Row r, column c of `rows` × `columns`: C(r + c, c).
 #[must_use]
 pub fn binomials(rows: usize, columns: usize) -> Vec<f64> {

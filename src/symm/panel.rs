@@ -230,10 +230,16 @@ impl Panel {
 /// halved; in the same order.
 #[must_use]
 pub fn halved_towards(center: Complex64, share: f64, boundary: &Boundary, panels: Vec<Panel>) -> Vec<Panel> {
+    halved_where(panels, &|panel| panel.length() > share * panel.distance(boundary, center))
+}
+
+/// Halves panels, and their halves, as far as `wild` says so and they can be halved; in the same order.
+#[must_use]
+pub fn halved_where(panels: Vec<Panel>, wild: &dyn Fn(&Panel) -> bool) -> Vec<Panel> {
     let mut done = Vec::with_capacity(panels.len());
     let mut open: Vec<Panel> = panels.into_iter().rev().collect();
     while let Some(panel) = open.pop() {
-        if panel.can_be_halved() && panel.length() > share * panel.distance(boundary, center) {
+        if panel.can_be_halved() && wild(&panel) {
             let [first, second] = panel.halves();
             open.extend([second, first]);
         } else {
@@ -241,6 +247,13 @@ pub fn halved_towards(center: Complex64, share: f64, boundary: &Boundary, panels
         }
     }
     done
+}
+
+/// Halves the marked panels; in the same order.
+#[must_use]
+pub fn halved(panels: &[Panel], marked: &[bool]) -> Vec<Panel> {
+    let halves = |(panel, split): (&Panel, &bool)| if *split { panel.halves().to_vec() } else { vec![*panel] };
+    panels.iter().zip(marked).flat_map(halves).collect()
 }
 
 /// Shortest panel, measured in its distance from the corner.

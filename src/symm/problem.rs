@@ -70,12 +70,7 @@ impl Source {
     /// g at points of the boundary.
     #[must_use]
     pub fn values(&self, boundary: &Boundary, targets: &[Target]) -> Vec<f64> {
-        let from = |target: &Target, z: Complex64| boundary.vertices[target.corner] - z + target.offset;
         match *self {
-            Self::Nothing => vec![0.0; targets.len()],
-            Self::Log(a) => targets.iter().map(|t| 0.5 * from(t, a).norm_sqr().ln()).collect(),
-            Self::Pole(a, factor) => targets.iter().map(|t| (factor / from(t, a)).re).collect(),
-            Self::Stream(factor) => targets.iter().map(|t| (factor * from(t, Complex64::ZERO)).re).collect(),
             Self::Vortices(a, b) => {
                 let at_vertices =
                     boundary.arguments(a).iter().zip(boundary.arguments(b)).map(|(a, b)| a - b).collect::<Vec<_>>();
@@ -85,15 +80,20 @@ impl Source {
                 };
                 targets.iter().map(|t| -(at_vertices[t.corner] + along(t, a) - along(t, b))).collect()
             }
+            _ => targets.iter().map(|t| self.value_at(boundary.vertices[t.corner], t.offset)).collect(),
         }
     }
 
     /// g at a vertex plus an offset; of vortices, the principal value.
     #[must_use]
     pub fn value_at(&self, vertex: Complex64, offset: Complex64) -> f64 {
+        let from = |z: Complex64| vertex - z + offset;
         match *self {
-            Self::Log(a) => 0.5 * (vertex - a + offset).norm_sqr().ln(),
-            _ => self.at(vertex + offset).0.re,
+            Self::Nothing => 0.0,
+            Self::Log(a) => 0.5 * from(a).norm_sqr().ln(),
+            Self::Pole(a, factor) => (factor / from(a)).re,
+            Self::Stream(factor) => (factor * from(Complex64::ZERO)).re,
+            Self::Vortices(..) => self.at(vertex + offset).0.re,
         }
     }
 

@@ -51,13 +51,12 @@ impl Refinement {
     /// The same with more of its panels halved: `panels` are those in halves, as often as needed, in the same order.
     pub fn go_on_to(&mut self, panels: Vec<Panel>) {
         let mut old = 0;
-        let same = |a: &Panel, b: &Panel| (a.edge, a.outgoing, a.start, a.end) == (b.edge, b.outgoing, b.start, b.end);
         let mut next = Self { panels: Vec::new(), origins: Vec::new(), kept: Vec::new() };
         for panel in panels {
             while !panel.is_within(&self.panels[old]) {
                 old += 1;
             }
-            next.push(panel, self.origins[old], self.kept[old] && same(&panel, &self.panels[old]));
+            next.push(panel, self.origins[old], self.kept[old] && panel == self.panels[old]);
         }
         *self = next;
     }

@@ -15,7 +15,7 @@ use super::two_level::{self, TwoLevel};
 use crate::Result;
 use std::fmt;
 use std::ops::{Deref, Range};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Panels with their equations.
 pub struct System<D = Discretisation> {
@@ -99,6 +99,19 @@ impl<D: Panelled + 'static> System<D> {
     /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn new(discretisation: impl Into<Arc<D>>, progress: Progress) -> Result<Self> {
         Self::after(None, discretisation.into(), progress)
+    }
+
+    /// The system in `kept`; if there is none, it is assembled and kept there.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    pub fn kept_in(kept: &OnceLock<Arc<Self>>, discretisation: &Arc<D>, progress: Progress) -> Result<Arc<Self>> {
+        if let Some(system) = kept.get() {
+            return Ok(Arc::clone(system));
+        }
+        let system = Arc::new(Self::new(Arc::clone(discretisation), progress)?);
+        // If another thread was first, its is the same.
+        Ok(Arc::clone(kept.get_or_init(|| system)))
     }
 
     fn after(before: Option<Before>, discretisation: Arc<D>, progress: Progress) -> Result<Self> {

@@ -19,6 +19,27 @@ pub fn value_and_slope(coefficients: &[Complex64], t: Complex64) -> (Complex64, 
     coefficients.iter().rev().fold((Complex64::ZERO, Complex64::ZERO), |(sum, slope), c| (sum * t + c, slope * t + sum))
 }
 
+/// Σ cₖ ((z − center)/radius)ᵏ.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// The middle of the circle in which it serves,
+    pub center: Complex64,
+    /// and its radius.
+    pub radius: f64,
+    /// The cₖ.
+    pub coefficients: Box<[Complex64]>,
+}
+
+impl Series {
+    /// The value and its derivative.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, z: Complex64) -> (Complex64, Complex64) {
+        let (value, slope) = value_and_slope(&self.coefficients, (z - self.center) / self.radius);
+        (value, slope / self.radius)
+    }
+}
+
 /// Σ cₖ tᵏ⁺¹ for real coefficients. The imaginary part keeps its relative accuracy beside the real axis: it is Im t times
 /// a sum (Goertzel's recurrence).
 #[inline]

@@ -1,6 +1,6 @@
 //! L in squares of a domain that smooth curves bound: power series, each made when a point of its square is first asked for.
 
-use super::super::atlas::power_series::value_and_slope;
+use super::super::atlas::power_series::Series;
 use super::super::lazy_tree::{Decision, LazyTree, Square};
 use super::cuts::Cuts;
 use super::inside::{Ground, Inside};
@@ -24,12 +24,8 @@ pub struct CurveSquares {
 
 #[derive(Debug)]
 enum CurveLeaf {
-    /// L is Σ cₖ ((z − center)/radius)ᵏ.
-    Series {
-        center: Complex64,
-        radius: f64,
-        coefficients: Box<[Complex64]>,
-    },
+    /// L.
+    Series(Series),
     /// Beside a wall.
     Near,
     Outside,
@@ -67,9 +63,9 @@ impl CurveSquares {
             None => Inside::Beyond,
             Some(CurveLeaf::Near) => Inside::Unknown,
             Some(CurveLeaf::Outside) => Inside::Outside,
-            Some(CurveLeaf::Series { center, radius, coefficients }) => {
-                let (value, slope) = value_and_slope(coefficients, (z - center) / radius);
-                Inside::Log(value, slope / radius)
+            Some(CurveLeaf::Series(series)) => {
+                let (value, slope) = series.at(z);
+                Inside::Log(value, slope)
             }
         }
     }
@@ -78,7 +74,7 @@ impl CurveSquares {
     #[must_use]
     pub fn branch(&self, z: Complex64, cuts: &Cuts) -> Complex64 {
         match self.tree.find(z, &|square, ()| self.decide(square)) {
-            Some(CurveLeaf::Series { center, .. }) => cuts.jump(*center, z),
+            Some(CurveLeaf::Series(series)) => cuts.jump(series.center, z),
             _ => Complex64::ZERO,
         }
     }
@@ -95,7 +91,7 @@ impl CurveSquares {
             let (center, radius) = (square.center, SAMPLED * distance);
             let mut coefficients = vec![Complex64::ZERO; TERMS];
             self.field.expand(center, radius, &mut coefficients);
-            return Decision::Leaf(CurveLeaf::Series { center, radius, coefficients: coefficients.into() });
+            return Decision::Leaf(CurveLeaf::Series(Series { center, radius, coefficients: coefficients.into() }));
         }
         if square.level >= DEEPEST { Decision::Leaf(CurveLeaf::Near) } else { Decision::Split(()) }
     }

@@ -2,7 +2,7 @@
 //! square is decided when a key in it is first asked for.
 
 use super::super::atlas::accuracy::Accuracy;
-use super::super::atlas::power_series::value_and_slope;
+use super::super::atlas::power_series::Series;
 use super::super::lazy_tree::{Decision, LazyTree, Square};
 use super::seeds::Seeds;
 use crate::Result;
@@ -42,8 +42,8 @@ pub struct InverseTree {
 
 #[derive(Debug)]
 enum InverseLeaf {
-    /// z is Σ cₖ ((k − center)/radius)ᵏ.
-    Series { center: Complex64, radius: f64, coefficients: Box<[Complex64]> },
+    /// z, as a function of k.
+    Series(Series),
     /// A pair not too far away.
     Near(Pair),
     /// No key lies there, as far as anybody knows.
@@ -113,9 +113,9 @@ impl InverseTree {
     #[must_use]
     pub fn at(&self, key: Complex64, inverted: &Inverted) -> Origin {
         match self.tree.find(key, &|square, known| self.decide(inverted, square, *known)) {
-            Some(InverseLeaf::Series { center, radius, coefficients }) => {
-                let (z, slope) = value_and_slope(coefficients, (key - center) / radius);
-                Origin::Known(z, slope / radius)
+            Some(InverseLeaf::Series(series)) => {
+                let (z, slope) = series.at(key);
+                Origin::Known(z, slope)
             }
             Some(InverseLeaf::Near(pair)) => Origin::Near(*pair),
             Some(InverseLeaf::Nothing) | None => Origin::Unknown,
@@ -133,7 +133,7 @@ impl InverseTree {
         if radius <= SHARE_OF_STRIP * room
             && let Some(coefficients) = found.and_then(|pair| inverted.series(&pair, radius))
         {
-            return Decision::Leaf(InverseLeaf::Series { center: square.center, radius, coefficients });
+            return Decision::Leaf(InverseLeaf::Series(Series { center: square.center, radius, coefficients }));
         }
         let known = found.or(known);
         if square.level < self.deepest {
