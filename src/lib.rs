@@ -35,6 +35,11 @@
 //! # Ok::<(), conformal_warp::Error>(())
 //! ```
 //!
+//! # Threads
+//! Maps and textures may be shared between threads. With the feature `parallel`, which is off by default and does nothing in
+//! wasm, `ParallelWarp` draws a picture and `par_points` evaluates many points over all threads of
+//! [rayon](https://docs.rs/rayon), with the same bits as one thread.
+//!
 //! # Conventions
 //! - The plane has y up and counter-clockwise angles. [`plane::Frame`] alone knows pixels: square pixels, centres at
 //!   +0.5, rows counted downwards.
@@ -65,6 +70,8 @@ pub use cortex::{
 };
 pub use error::{Error, Result};
 pub use formula::FormulaMap;
+#[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
+pub use map::par_points;
 pub use map::{Compose, Inverse, InvertibleMap, Jet, Moebius, PlaneMap};
 pub use mesh::{Density, JointTriangulation, MeshEvidence, MeshOptions, MeshStop, Route};
 pub use plane::{
@@ -77,6 +84,8 @@ pub use riemann::{
     SlitKind, SlitMap, StripMap,
 };
 pub use symm::options::{Progress, SolveOptions, Stop};
+#[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
+pub use warp::ParallelWarp;
 pub use warp::{
     Direction, FoveatedTexture, Light, Overlay, PreparedWarp, Quality, Stroke, Texture, TriangleMesh, Warp,
     WarpOptions, Wrap,

@@ -1,4 +1,5 @@
-// npm run docs: the package's reference as pages, in target/api, from its types alone; a warning is a failure.
+// npm run docs: the package's reference as pages, in target/api, from its types alone, and the crate's, in target/doc; a warning is a
+// failure.
 
 import { existsSync } from "node:fs";
 import { join } from "node:path";
@@ -19,5 +20,8 @@ await main(async () => {
     await run(process.execPath, [typedoc, "--options", join(root, "docs", "typedoc", "typedoc.json"), "--out", out]);
     if (!existsSync(join(out, "index.html"))) throw new Failure("TypeDoc wrote nothing.");
   });
-  console.log(`\n${join(out, "index.html")}`);
+  await step("reference of the crate", (note) =>
+    run("cargo", ["doc", "--no-deps", "--all-features"], { note, env: { RUSTDOCFLAGS: "-D warnings" } }),
+  );
+  console.log(`\n${join(out, "index.html")}\n${join(root, "target", "doc", "conformal_warp", "index.html")}`);
 });

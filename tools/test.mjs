@@ -14,13 +14,16 @@ await main(async () => {
 
   await step("formatting (cargo fmt)", () => run("cargo", ["fmt", "--check"]));
   const deny = ["--", "-D", "warnings"];
-  await step("clippy, native", (note) => run("cargo", ["clippy", "--all-targets", ...deny], { note }));
+  await step("clippy, native", (note) => run("cargo", ["clippy", "--all-targets", "--all-features", ...deny], { note }));
   await step("clippy, wasm32", (note) => run("cargo", ["clippy", ...wasmTests(), ...deny], { note }));
   await step("types of the page and the scripts (tsc)", () =>
     run(process.execPath, [join("node_modules", "typescript", "bin", "tsc"), "-p", "."]),
   );
 
   await show("native tests", "cargo", ["test"]);
+  const parallel = ["test", "--features", "parallel"];
+  await show("native tests of threads", "cargo", [...parallel, "--test", "parallel"]);
+  await show("examples of threads", "cargo", [...parallel, "--doc", "parallel"]);
   await show("tests in wasm, under Node", "cargo", ["test", ...wasmTests()], {
     WASM_BINDGEN_TEST_ONLY_NODE: "1",
   });

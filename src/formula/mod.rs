@@ -1,7 +1,7 @@
 //! Maps given as a formula in z.
 //!
-//! Text → tokens ([`lexer`]) → postfix steps ([`parser`]) → a graph without repetitions ([`graph`], [`expansion`]) →
-//! a flat program ([`program`]) → values and exact derivatives at blocks of points ([`run`]).
+//! Text → tokens (`lexer`) → postfix steps (`parser`) → a graph without repetitions (`graph`, `expansion`) →
+//! a flat program (`program`) → values and exact derivatives at blocks of points (`run`).
 
 mod expansion;
 mod functions;

@@ -11,26 +11,26 @@
 //!
 //! In the order of the computation:
 //! - [`options`] says what is wanted;
-//! - [`panel`] cuts the boundary; [`order`] says how finely; [`rule`] integrates the logarithm over a panel,
-//!   from [`panel_blocks`] ([`log_moments`] when near); [`discretisation`] writes the equations; [`thin_walls`] says
+//! - `panel` cuts the boundary; `order` says how finely; `rule` integrates the logarithm over a panel,
+//!   from `panel_blocks` (`log_moments` when near); `discretisation` writes the equations; `thin_walls` says
 //!   where their residuals weigh most;
-//! - [`system`] solves them: by factorisation ([`lu`]) when small, else by iteration ([`gmres`]) with a preconditioner
-//!   ([`two_level`]) and products from stored entries ([`influence`]) or expansions ([`fast_multipole`], [`multipole`], [`clusters`]);
-//! - [`problem`] is what is solved for: harmonic measure, or another right-hand side of a region with holes;
-//! - [`solve`] refines ([`refinement`]) until the estimate meets the tolerance; [`center`] moves the center of what is
-//!   solved, and [`far_center`] moves it far, where most of the [`measure`] is [`known`] already;
-//! - [`solution`] is the answer: [`correspondence`] on the boundary, [`potential`] inside, [`local_series`] there
+//! - `system` solves them: by factorisation (`lu`) when small, else by iteration (`gmres`) with a preconditioner
+//!   (`two_level`) and products from stored entries (`influence`) or expansions (`fast_multipole`, `multipole`, `clusters`);
+//! - `problem` is what is solved for: harmonic measure, or another right-hand side of a region with holes;
+//! - `solve` refines (`refinement`) until the estimate meets the tolerance; `center` moves the center of what is
+//!   solved, and `far_center` moves it far, where most of the `measure` is `known` already;
+//! - `solution` is the answer: `correspondence` on the boundary, `potential` inside, `local_series` there
 //!   as power series.
 //!
-//! [`smooth`] does all this, more simply, for smooth curves, on a [`smooth_system`].
+//! `smooth` does all this, more simply, for smooth curves, on a `smooth_system`.
 //!
-//! [`curved_solve`] does it for boundaries of analytic edges: the parameter of an edge takes the place of arc length
-//! ([`curved_boundary`]), and the panels' rules that of its logarithm ([`curved_kernel`], [`curved_discretisation`]);
-//! [`curved_solution`] is the answer, with [`curved_cauchy`] for many points. To the equations both are [`panelled`].
+//! `curved_solve` does it for boundaries of analytic edges: the parameter of an edge takes the place of arc length
+//! (`curved_boundary`), and the panels' rules that of its logarithm (`curved_kernel`, `curved_discretisation`);
+//! `curved_solution` is the answer, with `curved_cauchy` for many points. To the equations both are `panelled`.
 //!
-//! [`stored`] keeps solutions as bytes.
+//! `stored` keeps solutions as bytes.
 //!
-//! [`field`] and [`smooth_field`] are what a [`problem`] of a region with holes gives: one analytic function, known everywhere.
+//! `field` and `smooth_field` are what a `problem` of a region with holes gives: one analytic function, known everywhere.
 
 pub(crate) mod center;
 mod clusters;
