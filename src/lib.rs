@@ -50,6 +50,11 @@
 //! - Pixels are RGBA8, row-major, straight alpha at the edge; filtering works on premultiplied values.
 //! - Every approximation returns evidence beside its answer: residual, error estimate, flipped triangles.
 
+/// The README's code in Rust, run with the examples above.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 pub mod cortex;
 pub mod error;
 pub mod formula;
