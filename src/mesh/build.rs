@@ -9,7 +9,7 @@ use super::options::{Density, MeshOptions, Route};
 use super::ring::Room;
 use super::side::Outline;
 use super::{net, quality, scan};
-use crate::plane::{Complex64, Polygon};
+use crate::plane::Complex64;
 use crate::riemann::{RegionMap, RiemannMap};
 use crate::symm::options::Progress;
 use crate::{Error, Result};
@@ -20,15 +20,6 @@ use std::f64::consts::PI;
 const APART: f64 = 0.6;
 /// Undoing flips changes triangles, which may need more nodes in turn; so often at most.
 const MOST_TURNS: usize = 4;
-
-/// Triangles have straight sides, or lie along one smooth curve.
-fn needs_no_edges(map: &RiemannMap) -> Result<()> {
-    if map.region().curved().is_none() {
-        return Ok(());
-    }
-    let (what, needed) = ("A joint triangulation", "a polygon or one smooth curve");
-    Err(Error::WrongRegion { what, needed, found: "edges that are curves".to_string() })
-}
 
 impl JointTriangulation {
     /// Region → disk: the nodes of the region and their images under its Riemann map.
@@ -58,8 +49,7 @@ impl JointTriangulation {
     /// Those of the call without `progress`, and [`Error::Cancelled`].
     pub fn region_to_disk_with(map: &RiemannMap, options: &MeshOptions, progress: Progress) -> Result<Self> {
         options.check()?;
-        needs_no_edges(map)?;
-        map.prepare(progress)?;
+        ready(map, progress)?;
         between(&OntoDisk(map), options, progress)
     }
 
@@ -83,10 +73,8 @@ impl JointTriangulation {
         progress: Progress,
     ) -> Result<Self> {
         options.check()?;
-        needs_no_edges(from)?;
-        needs_no_edges(to)?;
-        from.prepare(progress)?;
-        to.prepare(progress)?;
+        ready(from, progress)?;
+        ready(to, progress)?;
         let exact = RegionMap::between(from, to);
         exact.check()?;
         match options.route {
@@ -102,13 +90,18 @@ impl JointTriangulation {
     }
 }
 
+/// Builds what evaluation needs, with progress; what curved edges need is built as it is asked for, and nodes ask for little of it.
+fn ready(map: &RiemannMap, progress: Progress) -> Result<()> {
+    if map.region().curved().is_some() { Ok(()) } else { map.prepare(progress) }
+}
+
 /// Source → target by the paper's method "with boundaries", for any two copies.
 pub(super) fn between(
     map: &dyn Correspondence,
     options: &MeshOptions,
     progress: Progress,
 ) -> Result<JointTriangulation> {
-    with_room(|room| {
+    with_room(map, |room| {
         let mut draft = chosen(map, options, room, progress)?;
         if let Density::Spacing(_) = options.density {
             draft.connect_valid(map, progress)?;
@@ -127,7 +120,7 @@ fn located(exact: &RegionMap, options: &MeshOptions, progress: Progress) -> Resu
         Density::MaxError { .. } => target.sqrt() / 60.0,
     };
     let triangles = Located::sampled(exact, spacing)?;
-    with_room(|room| {
+    with_room(exact, |room| {
         let mut draft = chosen(exact, options, room, progress)?;
         draft.relocate(&triangles, progress)?;
         let mut mesh = draft.finish()?;
@@ -136,12 +129,22 @@ fn located(exact: &RegionMap, options: &MeshOptions, progress: Progress) -> Resu
     })
 }
 
-/// Makes a mesh with boundary nodes as near to each other as double precision can do with; or else farther apart.
-fn with_room(mut make: impl FnMut(Room) -> Result<JointTriangulation>) -> Result<JointTriangulation> {
-    match make(Room::LEAST) {
-        Err(Error::Crowded { .. } | Error::InvalidMesh { .. }) => make(Room::AMPLE),
-        done => done,
+/// Makes a mesh with boundary nodes as near to each other as double precision can do with; where curves lie so close to each other
+/// that chords cross, with more of them; or else farther apart.
+fn with_room(
+    map: &dyn Correspondence,
+    mut make: impl FnMut(Room) -> Result<JointTriangulation>,
+) -> Result<JointTriangulation> {
+    let has_curves = map.copies().iter().any(|side| side.contour().is_some_and(|contour| contour.curved().is_some()));
+    let finer = if has_curves { &Room::OF_CURVES[..] } else { &[] };
+    let mut made = make(Room::LEAST);
+    for &room in finer.iter().chain([&Room::AMPLE]) {
+        if !matches!(made, Err(Error::Crowded { .. } | Error::InvalidMesh { .. })) {
+            break;
+        }
+        made = make(room);
     }
+    made
 }
 
 /// The nodes that the options ask for; connected, if an error was asked for.
@@ -151,7 +154,7 @@ fn chosen<'a>(map: &'a dyn Correspondence, options: &MeshOptions, room: Room, pr
         Density::MaxError { pixels, frame } => (pixels, frame),
         Density::Spacing(spacing) => return Draft::sampled(map, spacing, room),
     };
-    let area = map.copies()[0].polygon().map_or(PI, Polygon::area);
+    let area = map.copies()[0].contour().map_or(PI, |contour| contour.polygon().area());
     let mut draft = Draft::sampled(map, first_spacing(area), room)?;
     draft.evidence.pixel_size = Some(frame.pixel_size());
     draft.keep_within(pixels * frame.pixel_size(), progress)?;
@@ -163,8 +166,8 @@ impl<'a> Draft<'a> {
     fn sampled(map: &'a dyn Correspondence, spacing: f64, room: Room) -> Result<Self> {
         let mut draft = Self::new(map, spacing, room)?;
         let [source, _] = map.copies();
-        if let Some(polygon) = source.polygon() {
-            let samples = scan::fill(polygon, source.center(), spacing, scan::CLEARANCE * spacing)?;
+        if let Some(contour) = source.contour() {
+            let samples = scan::fill(contour.polygon(), source.center(), spacing, scan::CLEARANCE * spacing)?;
             draft.add_grid(&samples);
             let angles: Vec<_> = draft.ring.iter().map(|(_, node)| source.angle(node.source)).collect();
             draft.add_net(&net::over(&angles, draft.trust()), spacing);
@@ -202,8 +205,8 @@ impl<'a> Draft<'a> {
         let exact = self.map.magnification(&self.source, &self.target);
         let shape = |outline: &Outline| match outline.straight() {
             Some(polygon) => Shape::Polygon(polygon.clone()),
-            None if outline.is_polygon() => Shape::Curve,
-            None => Shape::Disk,
+            None if outline.is_circle() => Shape::Disk,
+            None => Shape::Curve,
         };
         let mesh = JointTriangulation {
             shapes: self.outlines.each_ref().map(|outline| vec![shape(outline)]),

@@ -176,13 +176,11 @@ impl<'a> Draft<'a> {
         if nodes.into_iter().any(is_inner) {
             return false;
         }
-        let Some(polygon) = self.outlines[copy].straight() else { return false };
         let edges = |k: u32| {
             let place = self.places[k as usize].map(|node| if copy == 0 { node.source } else { node.target })?;
-            let before = (place.edge + polygon.len() - 1) % polygon.len();
-            Some([place.edge, if place.t == 0.0 { before } else { place.edge }])
+            Some(self.outlines[copy].straight_edges(place))
         };
         let [Some(a), Some(b), Some(c)] = nodes.map(edges) else { return false };
-        a.iter().any(|edge| b.contains(edge) && c.contains(edge))
+        a.iter().any(|edge| edge.is_some() && b.contains(edge) && c.contains(edge))
     }
 }

@@ -1,6 +1,7 @@
 //! The paper's way back from the disk: find the triangle, apply its affine map.
 
 use super::correspondence::Correspondence;
+use super::ring::Room;
 use super::scan::{self, CLEARANCE};
 use super::side::{Outline, Side};
 use crate::Result;
@@ -38,7 +39,8 @@ impl<'a> Located<'a> {
         let map = exact.target();
         let inner = scan::fill(map.region().polygon(), map.region().center(), spacing, CLEARANCE * spacing)?;
         let outline = Outline::new(map);
-        let boundary = [outline.corners(), outline.divisions(spacing)].concat();
+        let divisions = outline.divisions(spacing, Room::LEAST.turn).into_iter().map(|(point, _)| point);
+        let boundary: Vec<_> = outline.corners().into_iter().chain(divisions).collect();
         let images = map.to_disk(&inner).into_iter().zip(inner);
         let edge = boundary.iter().map(|&p| (Complex64::cis(map.boundary_angle(p)), p.point));
         let flush = |x: f64| if x.abs() < 1e-40 { 0.0 } else { x };

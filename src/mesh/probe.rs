@@ -86,10 +86,7 @@ impl Draft<'_> {
 
     /// A corner of either outline, where the map may be singular.
     fn is_corner(&self, node: RingNode) -> bool {
-        [node.source, node.target]
-            .iter()
-            .zip(&self.outlines)
-            .any(|(p, outline)| outline.straight().is_some() && p.t == 0.0)
+        [node.source, node.target].iter().zip(&self.outlines).any(|(place, outline)| outline.is_corner(*place))
     }
 
     /// A probe's point of the boundary, if it is one of a boundary edge that can be split.

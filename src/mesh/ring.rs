@@ -14,13 +14,17 @@ pub(super) struct Room {
     closest: f64,
     /// What is shorter than this share of the source's outline is not refined: there, maps are no smoother than their errors.
     pub(super) finest: f64,
+    /// Between two nodes, a curved edge turns by no more, in radians.
+    pub(super) turn: f64,
 }
 
 impl Room {
     /// As little as double precision can do with: a corner that the other copy opens a long way is that near to a node.
-    pub(super) const LEAST: Self = Self { closest: 1e-13, finest: 1e-10 };
+    pub(super) const LEAST: Self = Self { closest: 1e-13, finest: 1e-10, turn: 0.5 };
+    /// The same where chords of curves that lie close to each other would cross, and where they lie closer still.
+    pub(super) const OF_CURVES: [Self; 2] = [Self { turn: 0.1, ..Self::LEAST }, Self { turn: 0.02, ..Self::LEAST }];
     /// Enough for whole pockets to be connected in what the nodes are moved to.
-    pub(super) const AMPLE: Self = Self { closest: 1e-7, finest: 1e-6 };
+    pub(super) const AMPLE: Self = Self { closest: 1e-7, finest: 1e-6, turn: 0.02 };
 }
 
 /// The same on the circle, where three neighbours must still make a triangle: its height is a quarter of the square.
@@ -61,6 +65,8 @@ enum Origin {
 struct Candidate {
     angle: f64,
     origin: Origin,
+    /// How far it lies from its neighbours along the source, if it is there for the source to be seen as a curve.
+    step: f64,
     source: Place,
     target: Place,
 }
@@ -97,12 +103,13 @@ impl Ring {
     /// cannot place them one after the other.
     pub(super) fn new(map: &dyn Correspondence, spacing: f64, room: Room) -> Result<Self> {
         let outlines = map.copies().map(Outline::new);
-        let own = candidates_of_source(map, &outlines, spacing);
+        let own_divisions = outlines[0].divisions(spacing, room.turn);
+        let own = candidates_of_source(map, &outlines, own_divisions);
         let others = candidates_of_target(map, &outlines);
         let reach = outlines[1].length() / outlines[0].length() * spacing;
         let mut list = merge(own, others, &outlines);
         unite_coincident(&mut list, COINCIDENT * spacing, COINCIDENT * reach);
-        drop_crowded(&mut list, CROWDED * spacing, 1e-3 * reach);
+        drop_crowded(&mut list, spacing, 1e-3 * reach);
         grade(&mut list, map, &outlines);
         let mut moved = vec![false; list.len()];
         spread(&mut list, |c| &mut c.source, &outlines[0], room, &mut moved)?;
@@ -113,25 +120,31 @@ impl Ring {
 }
 
 /// The pair of `toward` points, then the source's corners and divisions with their places on the target.
-fn candidates_of_source(map: &dyn Correspondence, [own, other]: &[Outline; 2], spacing: f64) -> Vec<Candidate> {
+fn candidates_of_source(
+    map: &dyn Correspondence,
+    [own, other]: &[Outline; 2],
+    divisions: Vec<(BoundaryPoint, f64)>,
+) -> Vec<Candidate> {
     let [source, target] = map.copies();
     let toward = Candidate {
         angle: 0.0,
         origin: Origin::Corner,
+        step: f64::INFINITY,
         source: Place { point: source.toward(), distance: 0.0, fixed: true },
         target: Place { point: target.toward(), distance: 0.0, fixed: true },
     };
-    let carried = |(point, origin): (BoundaryPoint, Origin)| {
+    let carried = |(point, origin, step): (BoundaryPoint, Origin, f64)| {
         let angle = source.angle(point);
         Candidate {
             angle,
             origin,
+            step,
             source: Place { point, distance: own.distance(point), fixed: origin == Origin::Corner },
             target: Place::image(map.boundary_forward(point), angle, other),
         }
     };
-    let corners = own.corners().into_iter().map(|point| (point, Origin::Corner));
-    let divisions = own.divisions(spacing).into_iter().map(|point| (point, Origin::Division));
+    let corners = own.corners().into_iter().map(|point| (point, Origin::Corner, f64::INFINITY));
+    let divisions = divisions.into_iter().map(|(point, step)| (point, Origin::Division, step));
     let mut list = vec![toward];
     let again = |c: &Candidate| c.source.point.point == source.toward().point;
     list.extend(corners.chain(divisions).map(carried).filter(|c| !again(c)));
@@ -148,6 +161,7 @@ fn candidates_of_target(map: &dyn Correspondence, [own, other]: &[Outline; 2]) -
         Candidate {
             angle,
             origin: Origin::Corner,
+            step: f64::INFINITY,
             source: Place::image(map.boundary_backward(point), angle, own),
             target: Place { point, distance: other.distance(point), fixed: true },
         }
@@ -211,10 +225,11 @@ fn unite_coincident(list: &mut Vec<Candidate>, source_reach: f64, target_reach: 
 }
 
 /// Drops divisions that are too close to a neighbour to be worth a node, in either copy.
-fn drop_crowded(list: &mut Vec<Candidate>, source_gap: f64, target_gap: f64) {
+fn drop_crowded(list: &mut Vec<Candidate>, spacing: f64, target_gap: f64) {
     let close = |p: &Candidate, q: &Candidate| {
-        (p.source.point.point - q.source.point.point).norm() < source_gap
-            || (p.target.point.point - q.target.point.point).norm() < target_gap
+        let step = p.step.min(q.step);
+        (p.source.point.point - q.source.point.point).norm() < CROWDED * spacing.min(step)
+            || step.is_infinite() && (p.target.point.point - q.target.point.point).norm() < target_gap
     };
     let mut kept: Vec<Candidate> = Vec::with_capacity(list.len());
     for &next in list.iter() {
@@ -245,6 +260,7 @@ fn grade(list: &mut Vec<Candidate>, map: &dyn Correspondence, [own, other]: &[Ou
         Candidate {
             angle,
             origin: Origin::Division,
+            step: f64::INFINITY,
             source: Place::image(point, angle, own),
             target: Place::image(map.boundary_forward(point), angle, other),
         }
@@ -260,7 +276,7 @@ fn spread(
     room: Room,
     moved: &mut [bool],
 ) -> Result<()> {
-    let closest = if outline.is_polygon() { room.closest } else { CLOSEST_ON_CIRCLE } * outline.length();
+    let closest = if outline.is_circle() { CLOSEST_ON_CIRCLE } else { room.closest } * outline.length();
     let mut start = 0;
     while start < list.len() {
         let from = place(&mut list[start]).distance;

@@ -2,21 +2,21 @@
 
 use super::correspondence::Correspondence;
 use super::side::{Side, UnitDisk};
-use crate::plane::{BoundaryPoint, Complex64, Polygon};
+use crate::plane::{BoundaryPoint, Complex64, Contour, Curve};
 use std::f64::consts::TAU;
 
 /// A polygon whose boundary every ray from `center` meets once.
 pub(crate) struct Star {
-    polygon: Polygon,
+    contour: Contour,
     center: Complex64,
     toward: BoundaryPoint,
 }
 
 impl Star {
     pub(crate) fn new(corners: &[Complex64], center: Complex64, toward: Complex64) -> Self {
-        let polygon = Polygon::new(corners).unwrap();
-        let toward = polygon.nearest(toward);
-        Self { polygon, center, toward }
+        let contour = Contour::new(corners, Curve::Polygon).unwrap();
+        let toward = contour.nearest(toward);
+        Self { contour, center, toward }
     }
 
     fn turn(&self) -> f64 {
@@ -25,8 +25,8 @@ impl Star {
 }
 
 impl Side for Star {
-    fn polygon(&self) -> Option<&Polygon> {
-        Some(&self.polygon)
+    fn contour(&self) -> Option<&Contour> {
+        Some(&self.contour)
     }
 
     fn center(&self) -> Complex64 {
@@ -46,14 +46,14 @@ impl Side for Star {
         let ray = Complex64::cis(angle + self.turn());
         let cross = |u: Complex64, v: Complex64| u.re * v.im - u.im * v.re;
         let hit = |edge: usize| {
-            let (a, b) = self.polygon.edge(edge);
+            let (a, b) = self.contour.polygon().edge(edge);
             let (p, q) = (cross(ray, a - self.center), cross(ray, b - self.center));
             let t = (p / (p - q)).clamp(0.0, 1.0 - f64::EPSILON);
             let point = a + (b - a) * t;
             let ahead = ((point - self.center) * ray.conj()).re > 0.0;
             (p <= 0.0 && q > 0.0 && ahead).then_some(BoundaryPoint { edge, t, point })
         };
-        (0..self.polygon.len()).find_map(hit).unwrap()
+        (0..self.contour.polygon().len()).find_map(hit).unwrap()
     }
 
     fn error(&self) -> f64 {

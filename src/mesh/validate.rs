@@ -124,7 +124,10 @@ fn check_shape(name: &str, outline: &[Complex64], shape: &Shape) -> Result<f64> 
             check_outline(name, outline, polygon)?;
             Ok(polygon.area())
         }
-        Shape::Curve => Ok(Polygon::new(outline)?.area()),
+        Shape::Curve => match Polygon::new(outline) {
+            Ok(polygon) => Ok(polygon.area()),
+            Err(error) => invalid(format!("the chords of the {name}'s outline are no outline: {error}")),
+        },
         Shape::Disk => {
             check_circle(name, outline)?;
             Ok(signed_area(outline))

@@ -19,6 +19,7 @@ mod stored_edges;
 mod svg_file;
 pub(crate) mod svg_path;
 
+pub(crate) use contour::Contour;
 pub use contour::Curve;
 pub use curved_outline::CurvedOutline;
 pub use domain::Domain;

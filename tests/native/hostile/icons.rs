@@ -3,7 +3,10 @@
 use super::report;
 use crate::support::fixture;
 use crate::support::{largest, solve, spread_points};
-use conformal_warp::{Complex64, CurvedOutline, Edge, Region, RiemannMap, SolveOptions, parse_shape};
+use conformal_warp::{
+    Complex64, CurvedOutline, Edge, Frame, JointTriangulation, MeshOptions, MeshStop, Region, RiemannMap, SolveOptions,
+    parse_shape,
+};
 use std::collections::BTreeMap;
 
 #[derive(serde::Deserialize)]
@@ -133,4 +136,30 @@ fn icons_are_solved_as_they_are_drawn() {
         "icons: {solved} solved to 1e-6 with {unknowns} unknowns, largest error {nearest:.2} of its estimate"
     ));
     assert!(solved >= 40, "{solved}");
+}
+
+/// Each has a triangulation with the disk that keeps its bound, however close its walls lie and however far its ends.
+#[test]
+fn icons_are_triangulated() {
+    let frame = Frame::new(Complex64::ZERO, 2.0, [256, 256]).unwrap();
+    let mut nodes = Vec::new();
+    for Icon { name, text, .. } in icons() {
+        let Ok(shape) = parse_shape(&text, 1.0) else { continue };
+        let Ok(outline) = CurvedOutline::new(&shape.outline) else { continue };
+        let region = Region::from_edges(&shape.outline, deepest(&outline), shape.outline[0].from()).unwrap();
+        let map = solve(&region, 1e-5);
+        let mesh = JointTriangulation::region_to_disk(&map, &MeshOptions::quarter_pixel(frame))
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
+        mesh.validate().unwrap();
+        assert!(mesh.flipped() == 0 && mesh.evidence().stop == MeshStop::Density, "{name}");
+        assert!(mesh.evidence().largest_error_pixels().unwrap() <= 0.25, "{name}");
+        nodes.push(mesh.source().len());
+    }
+    report(&format!(
+        "icons: {} triangulated with {} to {} nodes",
+        nodes.len(),
+        nodes.iter().min().unwrap(),
+        nodes.iter().max().unwrap()
+    ));
+    assert!(nodes.len() >= 40);
 }

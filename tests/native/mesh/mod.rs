@@ -1,5 +1,6 @@
 //! Joint triangulations.
 
+mod curves;
 mod disk;
 mod pairs;
 mod regions;
