@@ -6,20 +6,28 @@ import { join } from "node:path";
 import { after, test } from "node:test";
 import { root } from "../../tools/steps.mjs";
 import { closeBrowser, resultIn } from "./support/browser.mjs";
-import { project, run } from "./support/project.mjs";
+import { project, run, tool } from "./support/project.mjs";
 
 after(closeBrowser);
+
+const { PNG } = await tool("pngjs");
 
 const readme = readFileSync(join(root, "README.md"), "utf8");
 const blocks = [...readme.matchAll(/```js\n([\s\S]*?)```/g)].map(([, code]) => code);
 
-test("the README has code for a canvas, a region, curves, holes, quadrilaterals and a pool", () => assert.equal(blocks.length, 6));
+test("the README has code for a canvas, Node, a region, curves, holes, quadrilaterals and a pool", () => assert.equal(blocks.length, 7));
 
 for (const [k, code] of blocks.entries()) {
   test(`block ${k + 1} of the README`, async () => {
     if (!code.includes("document")) {
-      const printed = await run(project(`readme-${k}`, undefined, { "main.js": code }), [process.execPath, "main.js"]);
-      assert.match(printed, /\d/);
+      const folder = project(`readme-${k}`, undefined, { "main.js": code });
+      const photo = join(root, "tests", "fixtures", "figure-7.png");
+      if (code.includes("photo.png")) copyFileSync(photo, join(folder, "photo.png"));
+      assert.match(await run(folder, [process.execPath, "main.js"]), /\d/);
+      if (!code.includes("warped.png")) return;
+      const [before, after] = [photo, join(folder, "warped.png")].map((file) => PNG.sync.read(readFileSync(file)));
+      assert.deepEqual([after.width, after.height], [before.width, before.height]);
+      assert.ok(!after.data.equals(before.data) && new Set(after.data).size > 50);
       return;
     }
     // The picture that it draws is not the one that it loads.
@@ -33,3 +41,9 @@ for (const [k, code] of blocks.entries()) {
     assert.ok(width > 100 && varied);
   });
 }
+
+test("the README's call that does not wait", async () => {
+  const [, line] = readme.match(/`(import \{ initSync \} from "conformal-warp\/inline"; initSync\(\);)`/) ?? [];
+  const more = 'import { FormulaMap } from "conformal-warp/inline";\nconsole.log(new FormulaMap("z^2").eval(new Float64Array([0, 1]))[0]);';
+  assert.match(await run(project("readme-sync", undefined, { "main.js": `${line}\n${more}` }), [process.execPath, "main.js"]), /^-1\n$/);
+});
