@@ -31,7 +31,7 @@ function checkReady(call) {
  */
 function run(call, target, self, args, newTarget) {
   try {
-    checkRoom(args);
+    checkRoom(call, args);
     return newTarget ? Reflect.construct(target, args, newTarget) : Reflect.apply(target, self, args);
   } catch (error) {
     throw translate(call, error);
@@ -42,15 +42,18 @@ function run(call, target, self, args, newTarget) {
 const SMALL = 2 ** 26;
 
 /**
- * Large arrays are copied into the module, which must have room for them and for what is made of them.
+ * Large arrays are copied into the module, which must have room for them and for what is made of them. But pictures are read where
+ * they are, row by row.
  *
+ * @param {string} call
  * @param {unknown[]} args
  */
-function checkRoom(args) {
+function checkRoom(call, args) {
   let bytes = 0;
   for (const arg of args) {
-    // A picture and its pyramid; points, what they become, and its derivatives.
-    if (ArrayBuffer.isView(arg)) bytes += arg.byteLength * (arg instanceof Float64Array ? 6 : 3);
+    // Points, what they become, and its derivatives; a stored map and what is made of it.
+    const isPicture = (arg instanceof Uint8Array || arg instanceof Uint8ClampedArray) && !call.endsWith("fromBytes()");
+    if (ArrayBuffer.isView(arg) && !isPicture) bytes += arg.byteLength * (arg instanceof Float64Array ? 6 : 3);
     else if (typeof arg === "string") bytes += 6 * arg.length;
   }
   if (bytes > SMALL) roomFor(bytes);

@@ -10,7 +10,7 @@ use conformal_warp::wasm::region::{OutlineOptions, Region, RegionOptions};
 use conformal_warp::wasm::riemann::{RiemannMap, RiemannOptions};
 use conformal_warp::wasm::texture::{Texture, TextureOptions};
 use conformal_warp::wasm::warp::DrawOptions;
-use js_sys::Reflect;
+use js_sys::{Reflect, Uint8Array};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsValue;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -43,7 +43,8 @@ fn a_picture_is_warped_onto_the_cortex() {
     let frame = "{ center: [0, 0], width: 2, pixels: [8, 8] }";
     let gaze = object::<GazeOptions>(&format!("picture: {frame}, fieldOfView: 60, fixation: [0, 0]"));
     let image = map.seeing(gaze).unwrap();
-    let mut texture = Texture::new(&[90, 120, 150, 255].repeat(64), 8, 8, None::<Ts<TextureOptions>>).unwrap();
+    let mut texture =
+        Texture::new(&Uint8Array::from(&[90, 120, 150, 255].repeat(64)[..]), 8, 8, None::<Ts<TextureOptions>>).unwrap();
     let view = "{ center: [30, 0], width: 90, pixels: [90, 90] }";
     let options = object::<DrawOptions>(&format!("texture: {frame}, view: {view}"));
     let rgba = image.warp(&texture, options).unwrap().to_vec();
@@ -51,7 +52,7 @@ fn a_picture_is_warped_onto_the_cortex() {
     let at = |x: usize| rgba[4 * (45 * 90 + x) + 3];
     assert_eq!((at(5), at(20), at(60), at(85)), (0, 255, 255, 0));
     let foveated = object::<FoveatedOptions>(&format!("picture: {frame}, fixation: [0, 0], side: 16"));
-    let foveated = FoveatedTexture::new(&[90, 120, 150, 255].repeat(64), foveated).unwrap();
+    let foveated = FoveatedTexture::new(&Uint8Array::from(&[90, 120, 150, 255].repeat(64)[..]), foveated).unwrap();
     let options = object::<DrawOptions>(&format!("texture: {frame}, view: {view}"));
     let again = image.warp_foveated(&foveated, options).unwrap().to_vec();
     assert_eq!((foveated.levels(), again[4 * (45 * 90 + 20)]), (1, 90));
@@ -59,7 +60,7 @@ fn a_picture_is_warped_onto_the_cortex() {
     let options = object::<DrawOptions>(&format!("texture: {frame}, view: {view}"));
     let mut prepared = image.prepare_warp(&texture, options).unwrap();
     assert!(prepared.warp(&texture, None).unwrap().to_vec() == rgba);
-    texture.replace(&[200, 10, 10, 255].repeat(64)).unwrap();
+    texture.replace(&Uint8Array::from(&[200, 10, 10, 255].repeat(64)[..])).unwrap();
     let out = js_sys::Uint8ClampedArray::new_with_length(4 * 90 * 90);
     let filled = prepared.warp(&texture, Some(out.clone())).unwrap();
     assert!(js_sys::Object::is(&filled, &out) && out.get_index(4 * (45 * 90 + 20)) == 200);
@@ -107,7 +108,9 @@ fn an_outline_is_mapped_from_its_landmark() {
 #[wasm_bindgen_test]
 fn halves_recover_a_picture_together() {
     let frame = "{ center: [0, 0], width: 2, pixels: [20, 20] }";
-    let texture = Texture::new(&[90, 120, 150, 255].repeat(400), 20, 20, None::<Ts<TextureOptions>>).unwrap();
+    let texture =
+        Texture::new(&Uint8Array::from(&[90, 120, 150, 255].repeat(400)[..]), 20, 20, None::<Ts<TextureOptions>>)
+            .unwrap();
     let mut sum = None;
     for hemisphere in ["left", "right"] {
         let map = model(&format!("k: 15, a: 0.69, b: 80, hemisphere: '{hemisphere}'")).unwrap();
@@ -144,8 +147,10 @@ fn crops_of_a_large_picture_are_put_together() {
     let options = "picture: { center: [0, 0], width: 3, pixels: [12000, 8400] }, fixation: [0.4, 0.3], side: 64";
     let crops = FoveatedTexture::crops(object::<FoveatedOptions>(options)).unwrap();
     assert_eq!(crops.len(), 9);
-    let level =
-        |shade: u8| Texture::new(&[shade, 0, 0, 255].repeat(64 * 64), 64, 64, None::<Ts<TextureOptions>>).unwrap();
+    let level = |shade: u8| {
+        Texture::new(&Uint8Array::from(&[shade, 0, 0, 255].repeat(64 * 64)[..]), 64, 64, None::<Ts<TextureOptions>>)
+            .unwrap()
+    };
     let frame = |crop: &Ts<_>| Ts::new_unchecked(crop.js_value());
     let mut stack = FoveatedTexture::of(&level(10), frame(&crops[0])).unwrap();
     for (k, crop) in crops.iter().enumerate().skip(1) {

@@ -7,7 +7,7 @@ use conformal_warp::wasm::region::{Region, RegionOptions};
 use conformal_warp::wasm::riemann::RiemannMap;
 use conformal_warp::wasm::texture::Texture;
 use conformal_warp::wasm::warp::{DrawOptions, PaintContext};
-use js_sys::Reflect;
+use js_sys::{Reflect, Uint8Array};
 use tsify::Ts;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -36,7 +36,7 @@ fn mesh(options: &str) -> Result<JointTriangulation, JsValue> {
 
 /// Red everywhere.
 fn red() -> Texture {
-    Texture::new(&[255, 0, 0, 255].repeat(4), 2, 2, None).unwrap()
+    Texture::new(&Uint8Array::from(&[255, 0, 0, 255].repeat(4)[..]), 2, 2, None).unwrap()
 }
 
 #[wasm_bindgen_test]

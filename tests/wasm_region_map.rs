@@ -9,6 +9,7 @@ use conformal_warp::wasm::region_map::{JoinOptions, RegionMap};
 use conformal_warp::wasm::riemann::RiemannMap;
 use conformal_warp::wasm::texture::Texture;
 use conformal_warp::wasm::warp::DrawOptions;
+use js_sys::Uint8Array;
 use tsify::Ts;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -66,7 +67,7 @@ fn squares_are_mapped_by_turning_and_scaling() {
 #[wasm_bindgen_test]
 fn a_picture_follows_the_map() {
     let row = [[0, 255, 0, 255], [0, 255, 0, 255], [255, 0, 0, 255], [255, 0, 0, 255]].concat();
-    let texture = Texture::new(&row.repeat(4), 4, 4, None).unwrap();
+    let texture = Texture::new(&Uint8Array::from(&row.repeat(4)[..]), 4, 4, None).unwrap();
     let options =
         "texture: { center: [0, 0], width: 2, pixels: [4, 4] }, view: { center: [0, 0], width: 4, pixels: [16, 16] }";
     let options = Ts::<DrawOptions>::new_unchecked(object(options));

@@ -5,7 +5,7 @@
 use conformal_warp::wasm::texture::{Texture, TextureOptions};
 use conformal_warp::wasm::warp::{DrawOptions, warp};
 use conformal_warp::{Complex64, Direction, TriangleMesh};
-use js_sys::{Reflect, Uint8ClampedArray};
+use js_sys::{Reflect, Uint8Array, Uint8ClampedArray};
 use tsify::Ts;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -21,7 +21,7 @@ fn object(fields: &str) -> JsValue {
 fn texture(options: &str) -> Result<Texture, JsValue> {
     let rgba = [[255, 0, 0, 255], [255, 0, 0, 255], [0, 255, 0, 255], [0, 255, 0, 255]].concat();
     let options = Ts::<TextureOptions>::new_unchecked(object(options));
-    Texture::new(&rgba, 2, 2, Some(options)).map_err(JsValue::from)
+    Texture::new(&Uint8Array::from(&rgba[..]), 2, 2, Some(options)).map_err(JsValue::from)
 }
 
 /// The texture through the identity of the square [−1, 1]².

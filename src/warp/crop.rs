@@ -3,6 +3,7 @@
 use super::light::Tables;
 use crate::plane::{Complex64, Frame};
 use crate::{Error, Result};
+use std::ops::Range;
 
 /// A square of a picture, in blocks of `block`² pixels that become one.
 #[derive(Clone, Copy, Debug)]
@@ -52,36 +53,59 @@ impl Crop {
         Frame::new(center, 2.0 * half * picture.pixel_size(), [self.side, self.side])
     }
 
-    /// Its pixels, from those of the picture.
-    pub fn pixels(&self, rgba: &[u8], size: [usize; 2], tables: &Tables) -> Vec<u8> {
-        let places = (0..self.side).flat_map(|row| (0..self.side).map(move |column| [column, row]));
-        places.flat_map(|place| self.average(place, rgba, size, tables)).collect()
+    /// Its pixels, each the mean of a block's light, from those of the picture: `read` writes the RGBA bytes of the row that it is
+    /// asked for.
+    pub fn pixels(&self, size: [usize; 2], read: &mut dyn FnMut(usize, &mut [u8]), tables: &Tables) -> Vec<u8> {
+        let mut line = vec![0; 4 * size[0]];
+        let mut sums = vec![Sum::default(); self.side];
+        let mut pixels = Vec::with_capacity(4 * self.side * self.side);
+        for row in 0..self.side {
+            sums.fill(Sum::default());
+            for y in self.inside(1, row, size) {
+                read(y, &mut line);
+                for (column, sum) in sums.iter_mut().enumerate() {
+                    let columns = self.inside(0, column, size);
+                    sum.add(&line[4 * columns.start..4 * columns.end], tables);
+                }
+            }
+            pixels.extend(sums.iter().flat_map(|sum| sum.mean((self.block * self.block) as u64, tables)));
+        }
+        pixels
     }
 
-    /// The mean of a block's light, weighted by alpha.
-    fn average(&self, place: [usize; 2], rgba: &[u8], size: [usize; 2], tables: &Tables) -> [u8; 4] {
-        let range = |axis: usize| {
-            let first = self.start[axis] + (place[axis] * self.block) as isize;
-            let inside = |at: isize| at.clamp(0, size[axis] as isize) as usize;
-            inside(first)..inside(first + self.block as isize)
-        };
-        let mut light = [0u64; 3];
-        let mut alphas = 0u64;
-        for y in range(1) {
-            let row = range(0);
-            for pixel in rgba[4 * (y * size[0] + row.start)..4 * (y * size[0] + row.end)].as_chunks::<4>().0 {
-                let alpha = u64::from(pixel[3]);
-                for (sum, &byte) in light.iter_mut().zip(pixel) {
-                    *sum += alpha * tables.decode[usize::from(byte)] as u64;
-                }
-                alphas += alpha;
+    /// The columns or rows of the picture that one of the crop is made of.
+    fn inside(&self, axis: usize, place: usize, size: [usize; 2]) -> Range<usize> {
+        let first = self.start[axis] + (place * self.block) as isize;
+        let inside = |at: isize| at.clamp(0, size[axis] as isize) as usize;
+        inside(first)..inside(first + self.block as isize)
+    }
+}
+
+/// The light of pixels, weighted by alpha.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    light: [u64; 3],
+    alphas: u64,
+}
+
+impl Sum {
+    fn add(&mut self, rgba: &[u8], tables: &Tables) {
+        for pixel in rgba.as_chunks::<4>().0 {
+            let alpha = u64::from(pixel[3]);
+            for (sum, &byte) in self.light.iter_mut().zip(pixel) {
+                *sum += alpha * tables.decode[usize::from(byte)] as u64;
             }
+            self.alphas += alpha;
         }
+    }
+
+    /// The pixel that `count` pixels become, some of which may lie beyond the picture.
+    fn mean(&self, count: u64, tables: &Tables) -> [u8; 4] {
+        let alphas = self.alphas;
         if alphas == 0 {
             return [0; 4];
         }
-        let [r, g, b] = light.map(|sum| tables.encode[((sum + alphas / 2) / alphas) as usize]);
-        let count = (self.block * self.block) as u64;
+        let [r, g, b] = self.light.map(|sum| tables.encode[((sum + alphas / 2) / alphas) as usize]);
         [r, g, b, ((alphas + count / 2) / count) as u8]
     }
 }

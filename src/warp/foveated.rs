@@ -7,7 +7,7 @@ use super::options::{WarpOptions, Wrap};
 use super::prepared::PreparedWarp;
 use super::render::TexelGrid;
 use super::sampler::{Row, Sampler};
-use super::texture::{PICTURE, Texture};
+use super::texture::{PICTURE, Texture, copy_row};
 use super::warping::Warp;
 use crate::plane::{Complex64, Frame};
 use crate::{Error, Result};
@@ -46,10 +46,23 @@ impl FoveatedTexture {
     /// [`Error::WrongLength`] unless `rgba` has 4 bytes for each of the frame's pixels, and those of
     /// [`FoveatedTexture::crops`].
     pub fn around(rgba: &[u8], picture: &Frame, fixation: Complex64, side: usize, light: Light) -> Result<Self> {
-        let [width, height] = picture.pixels();
-        buffer::check(PICTURE, rgba.len(), [width, height])?;
+        Self::around_rows(rgba.len(), &mut |row, line| copy_row(rgba, row, line), picture, fixation, side, light)
+    }
+
+    /// [`FoveatedTexture::around`] in a picture of `bytes` RGBA bytes that are somewhere else: `read` writes those of the row that it
+    /// is asked for.
+    pub(crate) fn around_rows(
+        bytes: usize,
+        read: &mut dyn FnMut(usize, &mut [u8]),
+        picture: &Frame,
+        fixation: Complex64,
+        side: usize,
+        light: Light,
+    ) -> Result<Self> {
+        let size = picture.pixels();
+        buffer::check(PICTURE, bytes, size)?;
         let level = |crop: &Crop| {
-            let pixels = crop.pixels(rgba, [width, height], light.tables());
+            let pixels = crop.pixels(size, read, light.tables());
             Ok((Texture::new(&pixels, side, side, Wrap::Transparent, light)?, crop.frame(picture)?))
         };
         Self::new(Crop::all(picture, fixation, side)?.iter().map(level).collect::<Result<_>>()?)

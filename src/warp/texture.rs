@@ -44,12 +44,24 @@ impl Texture {
     /// [`Error::TextureTooLarge`] if the pyramid would not fit into 32-bit memory; [`Error::OutOfMemory`] if there is no
     /// room for it.
     pub fn new(rgba: &[u8], width: usize, height: usize, wrap: Wrap, light: Light) -> Result<Self> {
+        Self::from_rows(rgba.len(), [width, height], wrap, light, &mut |row, line| copy_row(rgba, row, line))
+    }
+
+    /// [`Texture::new`] of `bytes` RGBA bytes that are somewhere else: `read` writes those of the row that it is asked for.
+    /// Nothing but the pyramid is held.
+    pub(crate) fn from_rows(
+        bytes: usize,
+        [width, height]: [usize; 2],
+        wrap: Wrap,
+        light: Light,
+        read: &mut dyn FnMut(usize, &mut [u8]),
+    ) -> Result<Self> {
         let too_large = Error::TextureTooLarge { width, height };
         if width == 0 || height == 0 {
             let expected = format!("4 x {width} x {height} (at least one pixel)");
-            return Err(Error::WrongLength { what: PICTURE, expected, found: rgba.len() });
+            return Err(Error::WrongLength { what: PICTURE, expected, found: bytes });
         }
-        buffer::check(PICTURE, rgba.len(), [width, height])?;
+        buffer::check(PICTURE, bytes, [width, height])?;
         if width > 1 << 16 || height > 1 << 16 {
             return Err(too_large);
         }
@@ -58,7 +70,7 @@ impl Texture {
             return Err(too_large);
         }
         let mut texture = Self { texels: empty(&levels)?, light_texels: OnceLock::new(), levels, wrap, light };
-        texture.fill(rgba);
+        texture.fill(read);
         Ok(texture)
     }
 
@@ -67,20 +79,23 @@ impl Texture {
     /// # Errors
     /// [`Error::WrongLength`] unless `rgba` has as many bytes as the first picture.
     pub fn replace(&mut self, rgba: &[u8]) -> Result<()> {
-        buffer::check(PICTURE, rgba.len(), self.size())?;
-        self.fill(rgba);
+        self.replace_rows(rgba.len(), &mut |row, line| copy_row(rgba, row, line))
+    }
+
+    /// [`Texture::replace`] by bytes that are somewhere else, as in [`Texture::from_rows`].
+    pub(crate) fn replace_rows(&mut self, bytes: usize, read: &mut dyn FnMut(usize, &mut [u8])) -> Result<()> {
+        buffer::check(PICTURE, bytes, self.size())?;
+        self.fill(read);
         Ok(())
     }
 
-    fn fill(&mut self, rgba: &[u8]) {
+    fn fill(&mut self, read: &mut dyn FnMut(usize, &mut [u8])) {
         self.light_texels.take();
-        for (row, pixels) in rgba.chunks_exact(4 * self.levels[0].width).enumerate() {
+        for row in 0..self.levels[0].height {
             let line = &mut self.texels[self.levels[0].row(row)];
-            let pixels = pixels.as_chunks().0;
-            if pixels.iter().fold(255, |alpha, pixel| alpha & pixel[3]) == 255 {
-                line.copy_from_slice(pixels);
-            } else {
-                line.iter_mut().zip(pixels).for_each(|(texel, &pixel)| *texel = premultiplied(pixel));
+            read(row, line.as_flattened_mut());
+            if line.iter().fold(255, |alpha, texel| alpha & texel[3]) < 255 {
+                line.iter_mut().for_each(|texel| *texel = premultiplied(*texel));
             }
         }
         pyramid::build(&mut self.texels, &self.levels, self.wrap, self.light.tables());
@@ -140,6 +155,11 @@ impl Texture {
     pub(super) fn levels(&self) -> &[Level] {
         &self.levels
     }
+}
+
+/// The row of RGBA bytes that fits into `line`.
+pub(super) fn copy_row(rgba: &[u8], row: usize, line: &mut [u8]) {
+    line.copy_from_slice(&rgba[row * line.len()..(row + 1) * line.len()]);
 }
 
 /// Room for all texels of a pyramid.

@@ -2,8 +2,9 @@
 
 use super::error::Failure;
 use super::options::{self, FrameOptions, Point};
-use super::texture::Texture;
+use super::texture::{Texture, reader};
 use crate::warp::{self, Light};
+use js_sys::Uint8Array;
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -40,12 +41,14 @@ impl FoveatedTexture {
     /// Throws "wrong-length", "invalid-option", "invalid-frame" or "not-finite".
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "Uint8Array | Uint8ClampedArray")] rgba: &[u8],
+        #[wasm_bindgen(unchecked_param_type = "Uint8Array | Uint8ClampedArray")] rgba: &Uint8Array,
         options: Ts<FoveatedOptions>,
     ) -> Result<Self, Failure> {
         let FoveatedOptions { picture, fixation, side, light } = options::read(&options)?;
         let (picture, side) = (picture.try_into()?, side.unwrap_or(SIDE));
-        Ok(Self(warp::FoveatedTexture::around(rgba, &picture, fixation.into(), side, light)?))
+        let (length, fixation) = (rgba.length() as usize, fixation.into());
+        let stack = warp::FoveatedTexture::around_rows(length, &mut reader(rgba), &picture, fixation, side, light)?;
+        Ok(Self(stack))
     }
 
     /// A stack of one texture, to which closer ones are added: a wide shot and its close-ups, or the crops of a picture

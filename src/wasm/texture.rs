@@ -3,11 +3,10 @@
 use super::error::Failure;
 use super::options;
 use crate::warp::{self, Light, Wrap};
-use js_sys::Array;
+use js_sys::{Array, Uint8Array};
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
-use web_sys::ImageData;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPESCRIPT: &str = r"
@@ -18,6 +17,28 @@ export interface Pixels {
     readonly height: Count;
 }
 ";
+
+#[wasm_bindgen]
+extern "C" {
+    /// `Pixels`.
+    pub type Picture;
+    /// Clamped or not, its elements are bytes.
+    #[wasm_bindgen(method, getter, structural)]
+    fn data(this: &Picture) -> Uint8Array;
+    #[wasm_bindgen(method, getter, structural)]
+    fn width(this: &Picture) -> usize;
+    #[wasm_bindgen(method, getter, structural)]
+    fn height(this: &Picture) -> usize;
+}
+
+/// Reads a row at a time from JavaScript's memory: a picture of 100 megapixels would take 0.4 GB of the module's for a moment, and that
+/// is never given back.
+pub(super) fn reader(rgba: &Uint8Array) -> impl FnMut(usize, &mut [u8]) {
+    |row, line| {
+        let start = row * line.len();
+        rgba.subarray(start as u32, (start + line.len()) as u32).copy_to(line);
+    }
+}
 
 /// How a texture continues, and in which light it is filtered.
 #[derive(Debug, Default, Deserialize, Tsify)]
@@ -43,13 +64,14 @@ impl Texture {
     /// Throws "wrong-length", "texture-too-large" or "invalid-option".
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "Uint8Array | Uint8ClampedArray")] rgba: &[u8],
+        #[wasm_bindgen(unchecked_param_type = "Uint8Array | Uint8ClampedArray")] rgba: &Uint8Array,
         #[wasm_bindgen(unchecked_param_type = "Count")] width: usize,
         #[wasm_bindgen(unchecked_param_type = "Count")] height: usize,
         options: Option<Ts<TextureOptions>>,
     ) -> Result<Self, Failure> {
         let TextureOptions { wrap, light } = options::read_or_default(options.as_ref())?;
-        Ok(Self(warp::Texture::new(rgba, width, height, wrap, light)?))
+        let length = rgba.length() as usize;
+        Ok(Self(warp::Texture::from_rows(length, [width, height], wrap, light, &mut reader(rgba))?))
     }
 
     /// A texture of what a canvas holds: `Texture.fromImageData(context.getImageData(0, 0, width, height))`.
@@ -57,10 +79,10 @@ impl Texture {
     /// Throws as the constructor does.
     #[wasm_bindgen(js_name = fromImageData)]
     pub fn from_image_data(
-        #[wasm_bindgen(unchecked_param_type = "Pixels")] image: &ImageData,
+        #[wasm_bindgen(unchecked_param_type = "Pixels")] image: &Picture,
         options: Option<Ts<TextureOptions>>,
     ) -> Result<Self, Failure> {
-        Self::new(&image.data(), image.width() as usize, image.height() as usize, options)
+        Self::new(&image.data(), image.width(), image.height(), options)
     }
 
     /// Shows another picture of the same size, in the same memory: a camera's next frame.
@@ -68,9 +90,9 @@ impl Texture {
     /// Throws "wrong-length".
     pub fn replace(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Uint8Array | Uint8ClampedArray")] rgba: &[u8],
+        #[wasm_bindgen(unchecked_param_type = "Uint8Array | Uint8ClampedArray")] rgba: &Uint8Array,
     ) -> Result<(), Failure> {
-        Ok(self.0.replace(rgba)?)
+        Ok(self.0.replace_rows(rgba.length() as usize, &mut reader(rgba))?)
     }
 
     /// Columns and rows of the picture.
