@@ -12,7 +12,7 @@ const documents = ["README.md", "CONTRIBUTING.md", "SECURITY.md", "tests/README.
 const { scripts } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
 
 /** The languages whose blocks something runs, or that nobody can run. @type {Record<string, string[]>} */
-const run = { "README.md": ["js", "rust", "sh", "text"], "docs/RECIPES.md": ["js", "jsx", "ts", "svelte", "html"] };
+const run = { "README.md": ["js", "html", "rust", "sh", "text"], "docs/RECIPES.md": ["js", "jsx", "ts", "svelte", "html"] };
 
 for (const document of documents) {
   const text = readFileSync(join(root, document), "utf8");

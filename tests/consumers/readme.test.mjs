@@ -1,7 +1,7 @@
 // The code of the README runs as it stands, with the package from its tarball.
 
 import assert from "node:assert/strict";
-import { copyFileSync, readFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { root } from "../../tools/steps.mjs";
@@ -17,6 +17,28 @@ const blocks = [...readme.matchAll(/```js\n([\s\S]*?)```/g)].map(([, code]) => c
 
 test("the README has code for a canvas, Node, a region, curves, holes, quadrilaterals and a pool", () => assert.equal(blocks.length, 7));
 
+/**
+ * A project with a photo that has `code` as its main.js; what it has drawn is looked at.
+ *
+ * @param {string} name
+ * @param {string} code
+ * @param {string} scripts
+ */
+function painting(name, code, scripts) {
+  const digest = "const bytes = context.getImageData(0, 0, width, height).data; globalThis.result = [width, new Set(bytes).size > 50];";
+  const html = `<!doctype html><meta charset="utf-8"><title>README</title><body>${scripts}</body>`;
+  const folder = project(name, undefined, { "main.js": `${code}\n${digest}`, "index.html": html });
+  mkdirSync(join(folder, "public"));
+  for (const place of [folder, join(folder, "public")]) copyFileSync(join(root, "www", "images", "coffee.jpg"), join(place, "photo.jpg"));
+  return folder;
+}
+
+/** @param {string} folder */
+async function assertDrawn(folder) {
+  const [width, varied] = /** @type {[number, boolean]} */ (await resultIn(folder));
+  assert.ok(width > 100 && varied);
+}
+
 for (const [k, code] of blocks.entries()) {
   test(`block ${k + 1} of the README`, async () => {
     if (!code.includes("document")) {
@@ -30,15 +52,14 @@ for (const [k, code] of blocks.entries()) {
       assert.ok(!after.data.equals(before.data) && new Set(after.data).size > 50);
       return;
     }
-    // The picture that it draws is not the one that it loads.
-    const digest = "const bytes = context.getImageData(0, 0, width, height).data; globalThis.result = [width, new Set(bytes).size > 50];";
-    const folder = project(`readme-${k}`, undefined, {
-      "main.js": `${code}\n${digest}`,
-      "index.html": `<!doctype html><meta charset="utf-8"><canvas></canvas><script type="importmap">{ "imports": { "conformal-warp": "./node_modules/conformal-warp/pkg/index.js" } }</script><script type="module" src="./main.js"></script>`,
-    });
-    copyFileSync(join(root, "www", "images", "coffee.jpg"), join(folder, "photo.jpg"));
-    const [width, varied] = /** @type {[number, boolean]} */ (await resultIn(folder));
-    assert.ok(width > 100 && varied);
+    const [page] = readme.match(/<script type="importmap">.*<\/script>/) ?? [];
+    await assertDrawn(painting(`readme-${k}`, code, `${page}<script type="module" src="./main.js"></script>`));
+
+    // As Vite makes it of the folder.
+    const folder = painting(`readme-${k}-vite`, code, '<script type="module" src="/main.js"></script>');
+    const { build } = await tool("vite8");
+    await build({ root: folder, configFile: false, logLevel: "error" });
+    await assertDrawn(join(folder, "dist"));
   });
 }
 
