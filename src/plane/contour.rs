@@ -132,6 +132,20 @@ impl Contour {
         }
     }
 
+    /// The point of the curve nearest to `z`; the end of an edge, if it is that up to rounding.
+    pub fn nearest_or_end(&self, z: Complex64) -> BoundaryPoint {
+        let place = self.nearest(z);
+        let ends = self.curved().map_or(self.polygon.len(), |outline| outline.edges().len());
+        let end = |edge: usize| BoundaryPoint { edge, t: 0.0, point: self.end(edge) };
+        let mut near = [place.edge, (place.edge + 1) % ends].into_iter().map(end);
+        near.find(|end| (end.point - place.point).norm() <= self.thickness).unwrap_or(place)
+    }
+
+    /// Where an edge starts.
+    fn end(&self, edge: usize) -> Complex64 {
+        self.curved().map_or_else(|| self.polygon.vertices()[edge], |outline| outline.edges()[edge].from())
+    }
+
     /// The point of the curve that `z` is, up to rounding.
     pub fn on_curve(&self, z: Complex64) -> Option<BoundaryPoint> {
         match &self.shape {

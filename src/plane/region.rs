@@ -79,7 +79,7 @@ impl Region {
         if !self.contour.contains_strictly(center) {
             return Err(Error::CenterOutside { center });
         }
-        Ok(Self { center, toward: self.nearest(toward), ..self.clone() })
+        Ok(Self { center, toward: self.contour.nearest_or_end(toward), ..self.clone() })
     }
 
     /// The same region as a polygon, if it is bounded by edges that are all straight: a polygon's map is faster, and has charts.
@@ -231,6 +231,18 @@ mod tests {
         let region =
             Region::new(&TRIANGLE, Curve::Polygon, Complex64::new(1.0, 1.0), Complex64::new(1.0, -2.0)).unwrap();
         assert_eq!(region.toward().point, Complex64::new(1.0, 0.0));
+    }
+
+    #[test]
+    fn toward_is_a_corner_if_it_is_one_up_to_rounding() {
+        let lens = crate::plane::parse_path("M 1 0 A 2 2 0 0 1 -1 0 A 2 2 0 0 1 1 0 Z").unwrap();
+        for end in [Complex64::new(1.0, -1e-17), Complex64::new(1.0, 1e-17), Complex64::new(1.0 - 1e-16, 0.0)] {
+            let region = Region::from_edges(&lens, Complex64::ZERO, end).unwrap();
+            assert_eq!(region.toward(), BoundaryPoint { edge: 0, t: 0.0, point: Complex64::ONE });
+            let corner = Complex64::new(4.0, 0.0);
+            let region = Region::new(&TRIANGLE, Curve::Polygon, Complex64::ONE + Complex64::i(), 4.0 * end).unwrap();
+            assert_eq!(region.toward(), BoundaryPoint { edge: 1, t: 0.0, point: corner });
+        }
     }
 
     #[test]

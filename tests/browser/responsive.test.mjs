@@ -93,6 +93,7 @@ const middleOf = (selector) => (page) => middle(page.locator(selector).first());
 const gestures = [
   ["a corner of 22", "", (page) => middle(handle(page, "vertex", 0)), 10, 1, 30],
   ["a corner of a hundred", "#shape=coast", (page) => middle(handle(page, "vertex", 0)), 6, 1, 12],
+  ["a handle of a Bézier curve", "#shape=heart", (page) => middle(handle(page, "handle", 0).first()), 10, 1, 30],
   ["the disk", "", middleOf("#disk"), 50, 1, 30],
   ["a corner, region to region", "regions.html", middleOf('#from-marks [data-part="vertex"]'), 10, 1, 20],
   ["a slider of a formula", "formula.html", middleOf("#params input"), 25, 2, 50],

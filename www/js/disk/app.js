@@ -4,7 +4,7 @@ import { readAddress, wrongWords } from "../common/address.js";
 import { offerAlone } from "../common/alone.js";
 import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
-import { flatten, onGrid } from "../common/frame.js";
+import { onGrid } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
 import { attempt, element, pictureFor, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
 import { playButton } from "../common/player.js";
@@ -15,13 +15,15 @@ import { careFor, Scheduler } from "../common/scheduler.js";
 import { documentOf } from "../editor/document.js";
 import { Editor } from "../editor/edit.js";
 import { failureWords, probeWords, rows } from "../editor/evidence.js";
+import { offerEdges } from "../editor/edge-menu.js";
+import { letterDialog } from "../editor/letter-dialog.js";
 import { looksLikeOutline } from "../editor/outline-text.js";
 import { OutlineReader } from "../editor/outline-dialog.js";
 import { wishesOf } from "../editor/overlays.js";
 import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
-import { defaultRegion, photoRegion, READ, shapeRegion } from "../editor/presets.js";
-import { makeRegion, towardPoint } from "../editor/region.js";
+import { defaultRegion, LETTER, photoRegion, READ, shapeRegion } from "../editor/presets.js";
+import { carried, makeRegion } from "../editor/region.js";
 import { offerRepair } from "../editor/repair-button.js";
 import { NOTHING_SHOWN, Store } from "../editor/store.js";
 import { drawingFields, drawingSchema, encodeDrawing, encodeShown, shownOf, shownSchema } from "../editor/url.js";
@@ -77,12 +79,13 @@ const pen = new Pen({
   isActive: () => store.mode === "draw",
   onMode: (drawing) => store.setMode(drawing ? "draw" : "edit"),
   onOutline: (outline) => store.commit({ region: makeRegion(outline) }),
+  onStroke: (outline) => store.commit({ region: makeRegion(outline) }),
 });
-const outlines = new OutlineReader({
-  parse: (text) => scheduler.ask({ what: "outline", text }),
-  photo: () => picture.frame,
-  use: (outline) => replaceRegion(makeRegion(outline)),
-});
+/** Where outlines go. */
+const onPhoto = { photo: () => picture.frame, use: (/** @type {import("../editor/outline.js").Outline} */ outline) => replaceRegion(makeRegion(outline)) };
+const outlines = new OutlineReader({ parse: (text) => scheduler.ask({ what: "outline", text }), ...onPhoto });
+const askForLetter = letterDialog(onPhoto);
+offerEdges(element("choose-edge"), [{ store, editor, view: photoView }]);
 const locator = () => outcome?.locator ?? null;
 // On the way to the disk there is nothing to travel on.
 new Traveller(store, diskView, () => (store.shown.morph === 1 ? locator() : null));
@@ -95,7 +98,7 @@ const controls = new Controls(store, {
   remove: () => editor.removeSelected(),
   reset: () => replaceRegion(defaultRegion(picture)),
   photo: (id) => openPicture(loadPicture(id)),
-  shape: (name) => (name === READ ? outlines.ask() : replaceRegion(shapeRegion(name, picture.frame.pixels))),
+  shape: (name) => (name === READ ? outlines.ask() : name === LETTER ? askForLetter() : replaceRegion(shapeRegion(name, picture.frame.pixels))),
   upright: () => {
     const region = outcome && upright(store.doc.region, outcome.locator);
     if (region) store.commit({ region });
@@ -127,7 +130,7 @@ async function start() {
     script,
     picture: () => picture,
     shape: () => diskView.frame.pixels,
-    job: (pixels, kind) => ({ ...fieldsOf(store.doc), ...careFor(pixels), view: onGrid(diskView.frame, pixels), show: wishesOf(store.shown, kind === "drawing"), morph: store.shown.morph }),
+    job: (pixels, kind) => ({ ...carried(store.doc.region), ...careFor(pixels), view: onGrid(diskView.frame, pixels), show: wishesOf(store.shown, kind === "drawing"), morph: store.shown.morph }),
     drawing: "outline, triangles, vector and grid, on both sides",
     address,
   });
@@ -160,7 +163,7 @@ async function read(hash) {
   remark(wrongWords(wrong));
   picture = await pictureFor(fields.image ?? store.doc.image);
   const doc = documentOf(fields, store.doc, () => picture.frame);
-  return { doc, shown: shownOf({ show: show ?? (fields.region ? [] : undefined), density, morph }, store.shown), wrong };
+  return { doc, shown: shownOf({ show: show ?? (fields.region || fields.path ? [] : undefined), density, morph }, store.shown), wrong };
 }
 
 /** @param {Promise<Picture>} loading */
@@ -202,17 +205,12 @@ function refresh(solving, dragging) {
 
 /** @param {boolean} dragging */
 function solve(dragging) {
-  const [fields, show, { morph }] = [fieldsOf(store.doc), wishesOf(store.shown, false), store.shown];
+  const [fields, show, { morph }] = [carried(store.doc.region), wishesOf(store.shown, false), store.shown];
   scheduler.run(
     ({ tolerance, maxErrorPixels, sharpness }) => ({ ...fields, tolerance, maxErrorPixels, view: diskView.view(sharpness), show, morph }),
     picture,
     dragging,
   );
-}
-
-/** A region as jobs carry it. @param {Document} doc */
-function fieldsOf({ region }) {
-  return { boundary: flatten(region.boundary), center: region.center, toward: towardPoint(region) };
 }
 
 function layOut() {

@@ -3,6 +3,7 @@
 import { onUndoKeys } from "../common/keys.js";
 import { press } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
+import { canRemove } from "../editor/region.js";
 import { listShapes } from "../editor/presets.js";
 import { showMenu } from "../editor/show-menu.js";
 
@@ -64,7 +65,7 @@ export class Controls {
     const { remove, undo, redo } = this.#buttons;
     undo.disabled = !canUndo;
     redo.disabled = !canRedo;
-    remove.disabled = selected === null || doc.region.boundary.length <= 3 || mode === "draw";
+    remove.disabled = selected === null || !canRemove(doc.region) || mode === "draw";
     press("draw", mode === "draw");
     this.#showShown();
     this.#photo.show(picture);

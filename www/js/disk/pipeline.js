@@ -17,6 +17,8 @@ import { wayBetween } from "./homotopy.js";
  * @property {number} version which state of the page this is for
  * @property {boolean} fine
  * @property {Float64Array} boundary
+ * @property {Float64Array} corners
+ * @property {string} path
  * @property {Point} center
  * @property {Point} toward
  * @property {number} tolerance of the solve
@@ -39,7 +41,7 @@ import { wayBetween } from "./homotopy.js";
  * @property {Mesh} mesh region to disk
  * @property {{ target: Float64Array, outline: Float64Array, center: Point, toward: Point } | null} way what is shown instead of the disk: the nodes of the mesh, the outline and the vector
  * @property {{ source: Over, target: Over }} over
- * @property {Float64Array} corners the boundary as the library keeps it: counter-clockwise
+ * @property {Float64Array} corners the ends of the boundary's edges
  * @property {Float64Array} angles of the corners, on the circle
  * @property {Evidence} evidence
  */
@@ -72,7 +74,8 @@ export class RegionPipeline {
   run(job, { progress }) {
     if (!this.#picture) throw new Error("There is no picture yet.");
     const { texture, frame } = this.#picture;
-    const { map, corners, ms: solveMs } = this.#solved.solve(job, job.tolerance, progress);
+    const solved = this.#solved.solve(job, job.tolerance, progress);
+    const { map, corners, ms: solveMs } = solved;
     const { mesh, ms: meshMs } = this.#mesh(job, map);
     const begin = performance.now();
     const { source, target, triangles } = mesh;
@@ -80,7 +83,7 @@ export class RegionPipeline {
     const shown = meshOn(way, mesh);
     const pixels = shown.warp(texture, { texture: frame, view: job.view, direction: "push-forward", quality: "trilinear" });
     const warpMs = performance.now() - begin;
-    const over = overOf(job, map, corners, way, shown);
+    const over = overOf(job, solved, way, shown);
     /** @type {Result} */
     const result = {
       version: job.version,
@@ -89,7 +92,7 @@ export class RegionPipeline {
       over,
       mesh: { source, target, triangles },
       way: way && { target: shown.target, outline: way.outline, center: way.center, toward: way.toward },
-      corners,
+      corners: job.corners,
       angles: map.angles,
       evidence: {
         errorEstimate: map.errorEstimate,
@@ -109,7 +112,7 @@ export class RegionPipeline {
 
   /** @param {import("../editor/read-outline.js").OutlineQuestion} question */
   answer({ text }) {
-    return readOutline(text);
+    return readOutline(text, true);
   }
 
   /** A picture of any size and its lines, to be saved. @param {Job} job @param {(share: number) => void} onShare @returns {Promise<Plate>} */
@@ -117,12 +120,13 @@ export class RegionPipeline {
     if (!this.#picture) throw new Error("There is no picture yet.");
     const { texture, frame } = this.#picture;
     const { view, show } = job;
-    const { map, corners } = this.#solved.solve(job, job.tolerance, (_, share) => onShare(share / 2));
+    const solved = this.#solved.solve(job, job.tolerance, (_, share) => onShare(share / 2));
+    const { map, corners } = solved;
     const { mesh: whole } = this.#mesh(job, map);
     const between = onWay(job, map);
     const mesh = meshOn(between, whole);
     const edges = show.mesh ? meshEdges(mesh.triangles) : null;
-    const { source, target } = overOf({ ...job, fine: true, show: { ...show, heat: false } }, map, corners, between, mesh);
+    const { source, target } = overOf({ ...job, fine: true, show: { ...show, heat: false } }, solved, between, mesh);
     const heat = show.heat ? heatOf(map, map.conformalRadius, corners, FINE_HEAT) : null;
     const colours = heat && new Texture(heat.pixels, ...heat.frame.pixels);
     const way = { view, ...PUSHED, quality: /** @type {const} */ ("best") };
@@ -143,10 +147,10 @@ export class RegionPipeline {
   }
 
   /** @param {Job} job @param {RiemannMap} map */
-  #mesh({ boundary, center, toward, tolerance, maxErrorPixels, view }, map) {
+  #mesh({ boundary, path, center, toward, tolerance, maxErrorPixels, view }, map) {
     // A mesh for all of the disk: one looks closer at the same, only so far at a finer one.
     const frame = { ...diskFrame(view.pixels[0]), width: Math.max(view.width, MESH_WIDTH) };
-    const key = JSON.stringify([[...boundary], center, toward, tolerance, maxErrorPixels, frame]);
+    const key = JSON.stringify([path || [...boundary], center, toward, tolerance, maxErrorPixels, frame]);
     if (this.#meshed?.key === key) return this.#meshed;
     const begin = performance.now();
     const mesh = JointTriangulation.regionToDisk(map, { maxErrorPixels, frame });
@@ -162,10 +166,10 @@ const onWay = ({ morph, center }, map) => (morph < 1 ? wayBetween(map, center, m
 /** The mesh to what is shown: itself at the way's end. @param {Way | null} way @param {JointTriangulation} mesh to the disk */
 const meshOn = (way, mesh) => (way ? JointTriangulation.fromParts(mesh.source, way.carry(mesh.target), mesh.triangles) : mesh);
 
-/** What is shown over the pictures. @param {Job} job @param {RiemannMap} map @param {Float64Array} corners @param {Way | null} way @param {JointTriangulation} mesh to what is shown @returns {{ source: Over, target: Over }} */
-function overOf({ show: { grid, heat, measure }, view, fine }, map, corners, way, mesh) {
+/** What is shown over the pictures. @param {Job} job @param {import("../editor/solved-map.js").Solved} solved @param {Way | null} way @param {JointTriangulation} mesh to what is shown @returns {{ source: Over, target: Over }} */
+function overOf({ show: { grid, heat, measure }, view, fine }, { map, corners, outline }, way, mesh) {
   const field = heat ? heatOf(map, map.conformalRadius, corners, fine ? FINE_HEAT : DRAFT_HEAT) : null;
-  const source = { lines: grid ? regionLines(map, grid, fine) : [], fence: measure ? fenceOf(map, corners) : null, heat: field };
+  const source = { lines: grid ? regionLines(map, grid, fine) : [], fence: measure ? fenceOf(map, outline) : null, heat: field };
   const rings = grid ? diskLines(grid, fine) : [];
   const target = { lines: way ? rings.map((line) => way.carry(line)) : rings, fence: measure && !way ? CIRCLE_FENCE : null, heat: field && carriedHeat(mesh, field, view) };
   return { source, target };

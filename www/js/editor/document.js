@@ -10,10 +10,11 @@ import { makeRegion, towardPoint } from "./region.js";
  * @param {(image: string) => import("../common/frame.js").Frame} frameOf a picture @returns {Document}
  */
 export function documentOf(fields, usual, frameOf) {
-  const { image = usual.image, shape, region, center, toward } = fields;
-  if (region) return { image, region: makeRegion(region, center, toward) };
+  const { image = usual.image, shape, region, path, center, toward } = fields;
+  const drawn = path ?? region;
+  if (drawn) return { image, region: makeRegion(drawn, center, toward) };
   const frame = frameOf(image);
   const named = shape ? shapeRegion(shape, frame.pixels) : image === usual.image ? usual.region : defaultRegion({ id: image, frame });
   if (!center && !toward) return { image, region: named };
-  return { image, region: makeRegion(named.boundary, center ?? named.center, toward ?? towardPoint(named)) };
+  return { image, region: makeRegion(named, center ?? named.center, toward ?? towardPoint(named)) };
 }

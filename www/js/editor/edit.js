@@ -4,7 +4,9 @@ import { toPixels, toPlane } from "../common/frame.js";
 import { onEscape } from "../common/keys.js";
 import { pixelOf } from "../common/svg.js";
 import { distance } from "./geometry.js";
-import { insertVertex, moveCenter, moveToward, moveVertex, removeVertex, towardPoint, translate } from "./region.js";
+import { edgeOf, polygonOf } from "./outline.js";
+import { pointOn } from "./curve.js";
+import { canRemove, convertEdge, handlesOf, moveCenter, moveHandle, moveToward, moveVertex, removeVertex, splitEdge, towardPoint, translate } from "./region.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./region.js").Region} Region */
@@ -12,8 +14,13 @@ import { insertVertex, moveCenter, moveToward, moveVertex, removeVertex, towardP
 /** @typedef {import("./photo-view.js").PhotoView} PhotoView */
 /**
  * A drag of one part: where it was taken hold of, and the region for a new place of the pointer.
- * @typedef {{ pointer: number, grip: Point, move: (to: Point) => Region, moved: boolean }} Drag
+ * @typedef {{ pointer: number, grip: Point, move: Move, moved: boolean }} Drag
  */
+/** Where a part is taken to; `breaks`: a smooth joint may become a corner. @typedef {(to: Point, breaks: boolean) => Region} Move */
+/** What an element, or a place, is of the region. @typedef {{ part: string | undefined, index: number, handle: import("./region.js").Handle }} Part */
+
+/** Keys that say what the edge after a point is to be. @type {Record<string, import("./curve.js").Kind>} */
+const KINDS = { l: "line", a: "arc", c: "curve" };
 
 /** Arrow keys, in pixels of the panel. @type {Record<string, Point>} */
 const STEPS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
@@ -62,26 +69,34 @@ export class Editor {
   /** Removes the selected point. */
   removeSelected() {
     const { selected, doc } = this.#store;
-    if (selected === null || doc.region.boundary.length <= 3) return;
+    if (selected === null || !canRemove(doc.region)) return;
     this.#store.commit({ region: removeVertex(doc.region, selected) });
     const last = this.#store.doc.region.boundary.length - 1;
     this.#store.select(Math.min(selected, last));
+  }
+
+  /** The edge after the selected point is made a line, an arc or a curve. @param {import("./curve.js").Kind} kind */
+  convertSelected(kind) {
+    const { selected, doc } = this.#store;
+    if (selected !== null) this.#store.commit({ region: convertEdge(doc.region, selected, kind) });
   }
 
   /** @param {PointerEvent} event */
   #press(event) {
     if (this.#store.mode !== "edit" || event.button !== 0 || this.#drag) return;
     const at = pixelOf(this.#view.root, event);
-    const { part, index } = (event.pointerType === "touch" && this.#nearest(at)) || partOf(event.target);
-    const taken = this.#take(part, index, at, event.pointerType);
+    const found = (event.pointerType === "touch" && this.#nearest(at)) || partOf(event.target);
+    const { part, index } = found;
+    const taken = this.#take(found, at, event.pointerType);
     if (!taken) return this.#store.select(null);
     event.preventDefault();
     this.#view.root.setPointerCapture(event.pointerId);
     /** @type {Point} */
     const grip = [taken.anchor[0] - at[0], taken.anchor[1] - at[1]];
     this.#drag = { pointer: event.pointerId, grip, move: taken.move, moved: false };
-    if (part === "edge") this.#store.drag(taken.move(this.#plane(at)));
-    if (part !== "body") this.#focus(part, index);
+    if (part === "edge") this.#store.drag(taken.move(this.#plane(at), false));
+    if (part === "handle") /** @type {SVGElement | null} */ (this.#view.handle(index, found.handle))?.focus();
+    else if (part !== "body") this.#focus(part, index);
   }
 
   /** A finger that takes hold of something does not scroll the page; what is drawn in an SVG cannot say so in its style. @param {TouchEvent} event */
@@ -92,32 +107,45 @@ export class Editor {
     if (partOf(event.target).part === "edge" || this.#nearest([clientX - box.left, clientY - box.top])) event.preventDefault();
   }
 
-  /** The handle nearest to a finger, if one is near: those of neighbours overlap. @param {Point} at */
+  /** What is to be taken hold of nearest to a finger, if it is near: those of neighbours overlap. @param {Point} at @returns {Part | null} */
   #nearest(at) {
     const { region } = this.#store.doc;
-    /** @type {[part: string, index: number, point: Point][]} */
-    const handles = [["center", -1, region.center], ["toward", -1, towardPoint(region)], ...region.boundary.map((p, k) => /** @type {[string, number, Point]} */ (["vertex", k, p]))];
-    let best = { part: "", index: -1, away: FINGER };
-    for (const [part, index, point] of handles) {
+    /** @type {[Part, Point][]} */
+    const all = [
+      [{ part: "center", index: -1, handle: "bow" }, region.center],
+      [{ part: "toward", index: -1, handle: "bow" }, towardPoint(region)],
+      ...region.boundary.map((p, k) => /** @type {[Part, Point]} */ ([{ part: "vertex", index: k, handle: "bow" }, p])),
+      ...this.#view.handles.map(({ edge, handle, at: place }) => /** @type {[Part, Point]} */ ([{ part: "handle", index: edge, handle }, place])),
+    ];
+    /** @type {Part | null} */
+    let best = null;
+    let least = FINGER;
+    for (const [part, point] of all) {
       const away = distance(toPixels(this.#view.frame, point), at);
-      if (away < best.away) best = { part, index, away };
+      if (away < least) [best, least] = [part, away];
     }
-    return best.part ? best : null;
+    return best;
   }
 
   /**
    * What a press takes hold of: the anchor, in pixels, that will follow the pointer, and the region it makes.
-   * @param {string | undefined} part @param {number} index @param {Point} at @param {string} pointerType
-   * @returns {{ anchor: Point, move: (to: Point) => Region } | null}
+   * @param {Part} found @param {Point} at @param {string} pointerType
+   * @returns {{ anchor: Point, move: Move } | null}
    */
-  #take(part, index, at, pointerType) {
+  #take({ part, index, handle }, at, pointerType) {
     const { region } = this.#store.doc;
     const { frame } = this.#view;
     switch (part) {
       case "vertex":
         return { anchor: toPixels(frame, region.boundary[index]), move: (to) => moveVertex(region, index, to) };
-      case "edge":
-        return { anchor: at, move: (to) => insertVertex(region, index, to) };
+      case "edge": {
+        const split = splitEdge(region, index, toPlane(frame, at));
+        return { anchor: at, move: (to) => moveVertex(split, index + 1, to) };
+      }
+      case "handle": {
+        const place = handlesOf(region, index).find((one) => one.handle === handle);
+        return place ? { anchor: toPixels(frame, place.at), move: (to, breaks) => moveHandle(region, index, handle, to, breaks) } : null;
+      }
       case "center":
         return { anchor: toPixels(frame, region.center), move: (to) => moveCenter(region, to) };
       case "toward":
@@ -139,7 +167,7 @@ export class Editor {
     if (!drag || event.pointerId !== drag.pointer) return;
     const [x, y] = pixelOf(this.#view.root, event);
     drag.moved = true;
-    this.#store.drag(drag.move(this.#plane([x + drag.grip[0], y + drag.grip[1]])));
+    this.#store.drag(drag.move(this.#plane([x + drag.grip[0], y + drag.grip[1]]), event.altKey));
   }
 
   /** @param {PointerEvent} event */
@@ -160,11 +188,13 @@ export class Editor {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    const { part, index } = partOf(event.target);
-    if (this.#store.mode !== "edit" || !part || event.ctrlKey || event.metaKey || event.altKey) return;
+    const found = partOf(event.target);
+    const { part, index } = found;
+    if (this.#store.mode !== "edit" || !part || event.ctrlKey || event.metaKey) return;
+    if (event.altKey && part !== "handle") return;
     const { region } = this.#store.doc;
     const count = region.boundary.length;
-    if (event.key in STEPS) this.#nudge(part, index, STEPS[event.key], event.shiftKey ? 10 : 1);
+    if (event.key in STEPS) this.#nudge(found, STEPS[event.key], event.shiftKey ? 10 : 1, event.altKey);
     else if (part !== "vertex") return;
     else if (event.key === "Delete" || event.key === "Backspace") {
       this.removeSelected();
@@ -172,19 +202,19 @@ export class Editor {
     } else if (event.key === "PageDown") this.#focus("vertex", (index + 1) % count);
     else if (event.key === "PageUp") this.#focus("vertex", (index + count - 1) % count);
     else if (event.key === "Insert" || event.key === "+") {
-      const [[ax, ay], [bx, by]] = [region.boundary[index], region.boundary[(index + 1) % count]];
-      this.#store.commit({ region: insertVertex(region, index, [(ax + bx) / 2, (ay + by) / 2]) });
+      this.#store.commit({ region: splitEdge(region, index, pointOn(...edgeOf(region, index), 0.5)) });
       this.#focus("vertex", index + 1);
-    } else return;
+    } else if (event.key.toLowerCase() in KINDS) this.#store.commit({ region: convertEdge(region, index, KINDS[event.key.toLowerCase()]) });
+    else return;
     event.preventDefault();
   }
 
-  /** @param {string} part @param {number} index @param {Point} step @param {number} times */
-  #nudge(part, index, [dx, dy], times) {
-    const taken = this.#take(part, index, [0, 0], "keyboard");
+  /** @param {Part} found @param {Point} step @param {number} times @param {boolean} breaks */
+  #nudge(found, [dx, dy], times, breaks) {
+    const taken = this.#take(found, [0, 0], "keyboard");
     if (!taken) return;
     const [x, y] = taken.anchor;
-    this.#store.drag(taken.move(this.#plane([x + times * dx, y + times * dy])));
+    this.#store.drag(taken.move(this.#plane([x + times * dx, y + times * dy]), breaks));
     clearTimeout(this.#keys);
     this.#keys = setTimeout(() => this.#store.drop(), KEY_PAUSE);
   }
@@ -208,21 +238,22 @@ export class Editor {
   }
 
   /** The part of a shift that keeps the region on the photo. @param {Region} region @param {Point} shift @returns {Point} */
-  #within({ boundary }, [dx, dy]) {
+  #within(region, [dx, dy]) {
     const { width, pixels } = this.#view.home;
     /** @param {0 | 1} axis @param {number} half @param {number} d */
     const clamp = (axis, half, d) => {
-      const values = boundary.map((p) => p[axis]);
+      const values = polygonOf(region).map((p) => p[axis]);
       return Math.min(half - Math.max(...values), Math.max(-half - Math.min(...values), d));
     };
     return [clamp(0, width / 2, dx), clamp(1, (width * pixels[1]) / pixels[0] / 2, dy)];
   }
 }
 
-/** Which part of the region an element is. @param {EventTarget | null} target */
+/** Which part of the region an element is. @param {EventTarget | null} target @returns {Part} */
 export function partOf(target) {
   const element = target instanceof Element ? /** @type {SVGElement | null} */ (target.closest("[data-part]")) : null;
   const part = element?.dataset.part;
   // The handle in the middle of an edge is taken for the edge.
-  return { part: part === "middle" ? "edge" : part, index: Number(element?.dataset.index ?? -1) };
+  const handle = /** @type {import("./region.js").Handle} */ (element?.dataset.handle ?? "bow");
+  return { part: part === "middle" ? "edge" : part, index: Number(element?.dataset.index ?? -1), handle };
 }

@@ -2,10 +2,14 @@
 
 import { Texture } from "../../pkg/index.js";
 import { flatten, onGrid, toPixels, toPlane, unflatten } from "../common/frame.js";
+import { pointOn } from "./curve.js";
+import { distance } from "./geometry.js";
+import { edgeOf } from "./outline.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../../pkg/index.js").RiemannMap} RiemannMap */
+/** @typedef {import("./outline.js").Outline} Outline */
 /** Circles and rays of the disk; those of equal steps of Green's function and of its conjugate where `field`. @typedef {{ field: boolean, density: number }} Grid */
 
 /** Points along a ring, and along a ray; of drafts fewer. */
@@ -151,32 +155,36 @@ export function carriedHeat(map, { pixels, frame }, view) {
 
 /** Places along an edge at which the measure is looked at: dense at both ends, where corners make it large or small. */
 const PLACES = Array.from({ length: 16 }, (_, k) => (1 - Math.cos((Math.PI * (k + 0.5)) / 16)) / 2);
-/** They lie inside by this share of the edge. */
+/** They lie inside by this share of the way between the edge's ends; its direction is that between places so near in its parameter. */
 const INSIDE = 1e-5;
+const NEARBY = 1e-4;
 /** The fence is as high as this share of the region's conformal radius where the density is that of a circle seen from its middle, and never higher than five times that. */
 const HEIGHT = 0.12;
 const HIGHEST = 5;
 
 /**
  * The density of harmonic measure |f'|/2π on the boundary, as a fence: from the outline outwards.
- * @param {RiemannMap} map @param {Float64Array} corners counter-clockwise @returns {Float64Array} a closed line: along the outline, and back along the fence's top
+ * @param {RiemannMap} map @param {Outline} outline counter-clockwise @returns {Float64Array} a closed line: along the outline, and back along the fence's top
  */
-export function fenceOf(map, corners) {
-  const count = corners.length / 2;
+export function fenceOf(map, outline) {
+  const count = outline.boundary.length;
   /** @type {Point[]} */
   const feet = [];
   /** @type {Point[]} */
   const normals = [];
   const looked = new Float64Array(2 * count * PLACES.length);
   for (let k = 0, n = 0; k < count; k++) {
-    const [ax, ay] = [corners[2 * k], corners[2 * k + 1]];
-    const [dx, dy] = [corners[(2 * k + 2) % corners.length] - ax, corners[(2 * k + 3) % corners.length] - ay];
-    const length = Math.hypot(dx, dy) || 1;
+    const edge = edgeOf(outline, k);
     for (const t of PLACES) {
-      feet.push([ax + t * dx, ay + t * dy]);
-      normals.push([dy / length, -dx / length]);
-      looked[n++] = ax + t * dx - INSIDE * dy;
-      looked[n++] = ay + t * dy + INSIDE * dx;
+      const [x, y] = pointOn(...edge, t);
+      const [[ux, uy], [vx, vy]] = [pointOn(...edge, t - NEARBY), pointOn(...edge, t + NEARBY)];
+      const length = Math.hypot(vx - ux, vy - uy) || 1;
+      const normal = /** @type {Point} */ ([(vy - uy) / length, (ux - vx) / length]);
+      const inside = INSIDE * distance(edge[0], edge[1]);
+      feet.push([x, y]);
+      normals.push(normal);
+      looked[n++] = x - inside * normal[0];
+      looked[n++] = y - inside * normal[1];
     }
   }
   const slopes = map.derivative(looked);

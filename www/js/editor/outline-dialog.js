@@ -2,17 +2,17 @@
 
 import { make } from "../common/menu.js";
 import { remark, tell } from "../common/page.js";
+import { outlineOf } from "./outline.js";
 import { placedOn } from "./outline-text.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
-/** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./read-outline.js").OutlineAnswer} OutlineAnswer */
 /**
  * What outlines are for.
  * @typedef {object} Destination
  * @property {(text: string) => Promise<OutlineAnswer | null>} parse in a worker
  * @property {() => Frame} photo on which they are placed
- * @property {(outline: Point[]) => void} use
+ * @property {(outline: import("./outline.js").Outline) => void} use
  */
 
 export class OutlineReader {
@@ -49,7 +49,7 @@ export class OutlineReader {
     const found = await parse(text);
     if (!found) return "It could not be read just now: try once more.";
     if ("refusal" in found) return found.refusal;
-    use(placedOn(found.outline, photo()));
+    use(placedOn(outlineOf(found.outline, found.curves), photo()));
     tell(`${name ? `“${name}”: ` : ""}${found.said} It is as large as the photo lets it be.`);
     return "";
   }

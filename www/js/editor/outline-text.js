@@ -1,6 +1,7 @@
 // Outlines that come as text: GeoJSON, WKT, columns of numbers, airfoils, SVG. All that a text has are read; the largest is taken.
 
 import { area, distance, simplify, sizeOf } from "./geometry.js";
+import { placed, polygonOf } from "./outline.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** Reads one curve: SVG, the data of an SVG path, JSON; `tolerance` in its units. @typedef {(text: string, tolerance: number) => Point[]} CurveReader */
@@ -25,9 +26,11 @@ export function chooseOutline(text, readCurve) {
   const outline = thinned(largest);
   const among = sound.length > 1 ? `, the largest of its ${sound.length} outlines` : "";
   const left = outline.length < largest.length ? ` ${outline.length} of its ${largest.length} corners are kept; the others lie on the lines between them, or nearly so.` : "";
-  const whole = holes ? ` ${holes === 1 ? "A hole is" : `${holes} holes are`} left out: regions have none here.` : "";
-  return { outline, said: `Read ${kind}${among}.${whole}${left}` };
+  return { outline, said: `Read ${kind}${among}.${holeWords(holes)}${left}` };
 }
+
+/** @param {number} [holes] */
+export const holeWords = (holes) => (holes ? ` ${holes === 1 ? "A hole is" : `${holes} holes are`} left out: regions have none here.` : "");
 
 /** @param {string} text @param {CurveReader} readCurve @returns {Found} */
 function readOutlines(text, readCurve) {
@@ -269,10 +272,11 @@ function thinned(outline) {
 /** Of the photo, how much an outline fills. */
 const FILL = 0.84;
 
-/** An outline in the middle of a photo, as large as fits. @param {Point[]} outline @param {import("../common/frame.js").Frame} photo @returns {Point[]} */
+/** An outline in the middle of a photo, as large as fits. @param {import("./outline.js").Outline} outline @param {import("../common/frame.js").Frame} photo */
 export function placedOn(outline, { center, width, pixels }) {
-  const [xs, ys] = [outline.map(([x]) => x), outline.map(([, y]) => y)];
+  const polygon = polygonOf(outline);
+  const [xs, ys] = [polygon.map(([x]) => x), polygon.map(([, y]) => y)];
   const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
   const scale = FILL * Math.min(width / (right - left || 1), (width * pixels[1]) / pixels[0] / (high - low || 1));
-  return outline.map(([x, y]) => [center[0] + scale * (x - (left + right) / 2), center[1] + scale * (y - (low + high) / 2)]);
+  return placed(outline, scale, [center[0] - (scale * (left + right)) / 2, center[1] - (scale * (low + high)) / 2]);
 }

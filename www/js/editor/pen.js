@@ -3,6 +3,7 @@
 import { toPixels, toPlane } from "../common/frame.js";
 import { undoOrRedo } from "../common/keys.js";
 import { pathData, pixelOf, set, svg } from "../common/svg.js";
+import { fitted } from "./fit.js";
 import { crossingEdges, distance, simplify } from "./geometry.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
@@ -13,15 +14,17 @@ import { crossingEdges, distance, simplify } from "./geometry.js";
  * @property {() => boolean} isActive
  * @property {(drawing: boolean) => void} onMode asks for drawing to begin, or to end
  * @property {(outline: Point[]) => void} onOutline
+ * @property {(outline: import("./outline.js").Outline) => void} [onStroke] takes a stroke as curves; left out, it is one of straight edges
  */
 
 /** In pixels of the panel: how near to the first point closes, how far a press moves to become a stroke, … */
 const CLOSE = 12;
 const STROKE = 6;
-/** … the spacing of a stroke's points, how far the outline may leave the stroke, and how long a hook at its ends may be. */
+/** … the spacing of a stroke's points, how far the outline may leave the stroke, how long a hook at its ends may be, and how far around a point its direction is looked for. */
 const SPACING = 2;
 const SLACK = 1.2;
 const HOOK = 40;
+const REACH = 10;
 
 export class Pen {
   #paper;
@@ -107,7 +110,7 @@ export class Pen {
     const press = this.#press;
     if (press?.pointer !== event.pointerId) return;
     this.#press = null;
-    if (press.stroke) this.#finish();
+    if (press.stroke) this.#finish(true);
   }
 
   /** @param {KeyboardEvent} event */
@@ -130,12 +133,16 @@ export class Pen {
     this.#draw();
   }
 
-  #finish() {
-    const { frame } = this.#paper.view;
-    const pixel = frame.width / frame.pixels[0];
-    const outline = outlineOf(withoutHooks(this.#points, HOOK * pixel), SLACK * pixel);
+  /** @param {boolean} [stroke] whether it was drawn in one stroke */
+  #finish(stroke = false) {
+    const { view, onOutline, onStroke } = this.#paper;
+    const pixel = view.frame.width / view.frame.pixels[0];
+    const line = withoutHooks(closed(this.#points, SPACING * pixel), HOOK * pixel);
+    const outline = outlineOf(line, SLACK * pixel);
     this.cancel();
-    if (outline.length >= 3) this.#paper.onOutline(outline);
+    if (outline.length < 3) return;
+    if (stroke && onStroke) onStroke(fitted(line, SLACK * pixel, REACH * pixel));
+    else onOutline(outline);
   }
 
   #draw() {
@@ -175,6 +182,13 @@ function withoutHooks(line, longest) {
     kept = best.rest;
   }
   return kept;
+}
+
+/** A line without the points at its end that come close to its start. @param {Point[]} line @param {number} close @returns {Point[]} */
+function closed(line, close) {
+  let end = line.length;
+  while (end > 4 && distance(line[end - 1], line[0]) < close) end--;
+  return line.slice(0, end);
 }
 
 /** @param {Point[]} line */

@@ -4,7 +4,10 @@ import { Layer } from "../common/canvas.js";
 import { onGrid, scaleOf, toPixels } from "../common/frame.js";
 import { Zoom } from "../common/zoom.js";
 import { drawLayers } from "../common/layers.js";
-import { faults, towardPoint } from "./region.js";
+import { kindOf, pointOn } from "./curve.js";
+import { edgeOf } from "./outline.js";
+import { pixelEdge, pixelPath } from "./path.js";
+import { faults, handlesOf, towardPoint } from "./region.js";
 import { match, pathData, set, svg } from "../common/svg.js";
 import { markVector, updateVector } from "./vector.js";
 
@@ -35,6 +38,11 @@ export class PhotoView {
   /** What a finger takes hold of to add a point. */
   #middles = svg("g", { class: "middles" });
   #vertices = svg("g", { class: "vertices" });
+  /** Lines to control points, and the points. */
+  #arms = svg("g", { class: "arms" });
+  #knobs = svg("g", { class: "knobs" });
+  /** The handles of edges that can be taken hold of. @type {{ edge: number, handle: import("./region.js").Handle, at: Point }[]} */
+  handles = [];
   #vector = markVector(true);
 
   /** @param {HTMLCanvasElement} canvas @param {SVGSVGElement} root @param {() => void} onZoom called when another part is looked at */
@@ -42,7 +50,7 @@ export class PhotoView {
     this.root = root;
     this.#zoom = new Zoom(root, () => this, onZoom, (event) => !root.classList.contains("drawing") && !(event.target instanceof Element && event.target.closest("[data-part]")));
     this.#layer = new Layer(canvas);
-    root.append(this.#body, this.#halo, this.#outline, this.#edges, this.#middles, this.#vertices, this.#vector);
+    root.append(this.#body, this.#halo, this.#outline, this.#edges, this.#middles, this.#arms, this.#vertices, this.#knobs, this.#vector);
   }
 
   /** @param {Picture} picture */
@@ -69,7 +77,7 @@ export class PhotoView {
     drawWithin(drawing, canvas, whole);
     if (mode === "draw") return;
     if (inside) drawWithin(drawing, inside.picture, inside.frame);
-    const outside = new Path2D(pathData(doc.region.boundary.map((p) => toPixels(frame, p)), true));
+    const outside = new Path2D(pixelPath(doc.region, frame));
     outside.rect(0, 0, width, height);
     context.fillStyle = `rgb(0 0 0 / ${dim})`;
     context.fill(outside, "evenodd");
@@ -77,7 +85,7 @@ export class PhotoView {
       context.save();
       context.imageSmoothingQuality = "low";
       // Clean edges take time that a moving hand has not.
-      if (!dragging) context.clip(new Path2D(pathData(doc.region.boundary.map((p) => toPixels(frame, p)), true)));
+      if (!dragging) context.clip(new Path2D(pixelPath(doc.region, frame)));
       drawWithin(drawing, heat.picture, heat.frame);
       context.restore();
     }
@@ -94,22 +102,48 @@ export class PhotoView {
     const wrong = faults(region);
     this.root.classList.toggle("drawing", mode === "draw");
     this.root.classList.toggle("dense", boundary.length > 48);
-    const data = pathData(pixels, true);
+    const data = pixelPath(region, this.frame);
     for (const path of [this.#body, this.#halo, this.#outline]) set(path, { d: data });
-    match(this.#edges, pixels, (edge) => svg("path", { "data-part": "edge", "data-index": edge }), (element, from, k) => {
-      set(element, { d: pathData([from, pixels[(k + 1) % pixels.length]], false), class: wrong.edges.has(k) ? "edge wrong" : "edge" });
+    match(this.#edges, pixels, (edge) => svg("path", { "data-part": "edge", "data-index": edge }), (element, _, k) => {
+      set(element, { d: pixelEdge(region, k, this.frame), class: `edge${wrong.edges.has(k) ? " wrong" : ""}${k === selected ? " next" : ""}` });
     });
     match(this.#middles, pixels, newMiddle, (element, [x, y], k) => {
       const [u, v] = pixels[(k + 1) % pixels.length];
-      set(element, { transform: `translate(${(x + u) / 2} ${(y + v) / 2})`, visibility: Math.hypot(u - x, v - y) > LONG_EDGE ? "visible" : "hidden" });
+      const edge = edgeOf(region, k);
+      // An arc's own handle is in its middle.
+      const [mx, my] = toPixels(this.frame, pointOn(...edge, edge[2]?.kind === "arc" ? 0.25 : 0.5));
+      set(element, { transform: `translate(${mx} ${my})`, visibility: Math.hypot(u - x, v - y) > LONG_EDGE ? "visible" : "hidden" });
     });
+    this.#drawHandles(region, selected);
     match(this.#vertices, pixels, newVertex, (element, [x, y], k) => {
-      const label = `Point ${k + 1} of ${pixels.length}`;
+      const label = `Point ${k + 1} of ${pixels.length}${region.curves ? `; ${EDGES[kindOf(region.curves[k])]} to the next` : ""}`;
       const current = k === (selected ?? 0);
       set(element, { transform: `translate(${x} ${y})`, tabindex: current ? 0 : -1, "aria-label": label });
       element.classList.toggle("selected", k === selected);
     });
     updateVector(this.#vector, toPixels(this.frame, towardPoint(region)), toPixels(this.frame, center), wrong.center);
+  }
+
+  /** The handles of curved edges: of all of a few, or of those beside the selected point. @param {import("./region.js").Region} region @param {number | null} selected */
+  #drawHandles(region, selected) {
+    const { boundary, curves = [] } = region;
+    const few = curves.filter(Boolean).length <= FEW;
+    const beside = (/** @type {number} */ edge) => edge === selected || (edge + 1) % boundary.length === selected;
+    this.handles = curves.flatMap((_, edge) => (few || beside(edge) ? handlesOf(region, edge).map((one) => ({ edge, ...one })) : []));
+    const arms = this.handles.filter(({ handle }) => handle !== "bow");
+    match(this.#arms, arms, () => svg("path"), (element, { edge, handle, at }) => {
+      const [a, b] = edgeOf(region, edge);
+      set(element, { d: pathData([handle === "first" ? a : b, at].map((p) => toPixels(this.frame, p)), false) });
+    });
+    match(this.#knobs, this.handles, newKnob, (element, { edge, handle, at }) => {
+      const [x, y] = toPixels(this.frame, at);
+      set(element, { transform: `translate(${x} ${y})`, class: `knob ${handle}`, "data-index": edge, "data-handle": handle, "aria-label": `${HANDLES[handle]} ${edge + 1}` });
+    });
+  }
+
+  /** The element of a handle. @param {number} edge @param {string} handle */
+  handle(edge, handle) {
+    return [...this.#knobs.children].find((knob) => knob instanceof SVGElement && knob.dataset.index === String(edge) && knob.dataset.handle === handle) ?? null;
   }
 
   /** Gives the keyboard to a vertex. @param {number} index */
@@ -125,12 +159,22 @@ export function drawWithin({ context, frame }, picture, { center, width, pixels 
   context.drawImage(picture, left, top, width * scaleOf(frame), height * scaleOf(frame));
 }
 
+/** Of so many curved edges all handles are shown. */
+const FEW = 8;
+/** Names for those who do not see them. */
+const HANDLES = { first: "First control point of edge", second: "Second control point of edge", bow: "Middle of the arc that is edge" };
+const EDGES = { line: "a line", arc: "an arc", curve: "a curve" };
+
 /** Shorter edges show no handle in their middle, in pixels. */
 const LONG_EDGE = 52;
 
 /** @param {number} edge */
 function newMiddle(edge) {
   return svg("g", { class: "middle", "data-part": "middle", "data-index": edge, "aria-hidden": "true" }, [svg("circle", { class: "reach" }), svg("path", { d: "M-3.5 0h7M0 -3.5v7" })]);
+}
+
+function newKnob() {
+  return svg("g", { "data-part": "handle", role: "button", tabindex: 0 }, [svg("circle", { class: "reach" }), svg("rect", { class: "dot", x: -4, y: -4, width: 8, height: 8 })]);
 }
 
 /** @param {number} index */

@@ -2,6 +2,8 @@
 
 import { photoFrame, toPlane } from "../common/frame.js";
 import { photos } from "../common/photos.js";
+import { placed } from "./outline.js";
+import { readPath } from "./path.js";
 import { makeRegion } from "./region.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -67,7 +69,7 @@ function coast() {
   });
 }
 
-/** Outlines about [−1, 1] in size, stretched to fit the photo. @type {Map<string, { title: string, outline: Point[] }>} */
+/** Outlines about [−1, 1] in size, stretched to fit the photo: points, or a path with y upwards. @type {Map<string, { title: string } & ({ outline: Point[], path?: undefined } | { path: string })>} */
 export const shapes = new Map(Object.entries({
   square: { title: "Square", outline: [[-0.75, -0.75], [0.75, -0.75], [0.75, 0.75], [-0.75, 0.75]] },
   ell: { title: "L", outline: [[-0.8, -0.8], [0.8, -0.8], [0.8, 0], [0, 0], [0, 0.8], [-0.8, 0.8]] },
@@ -86,14 +88,19 @@ export const shapes = new Map(Object.entries({
   },
   horseshoe: { title: "Horseshoe", outline: horseshoe() },
   coast: { title: "Coast, 100 corners", outline: coast() },
+  half: { title: "Half disk", path: "M-.9-.45L.9-.45A.9 .9 0 0 1-.9-.45Z" },
+  lens: { title: "Lens", path: "M.9 0A1.1 1.1 0 0 1-.9 0A1.1 1.1 0 0 1 .9 0Z" },
+  leaf: { title: "Leaf", path: "M-.9-.6C0-.8 .8-.2 .9 .7C0 .9-.8 .4-.9-.6Z" },
+  heart: { title: "Heart", path: "M0-.85C.3-.5 .95-.15 .95 .35C.95 .65 .72 .85 .45 .85C.22 .85 .06 .7 0 .5C-.06 .7-.22 .85-.45 .85C-.72 .85-.95 .65-.95 .35C-.95-.15-.3-.5 0-.85Z" },
 }));
 
-/** In the menu of shapes: one of the visitor's own. */
+/** In the menu of shapes: one of the visitor's own, and one of the letters. */
 export const READ = "read";
+export const LETTER = "letter";
 
 /** Fills a menu with all shapes. @param {HTMLSelectElement} select */
 export function listShapes(select) {
-  select.append(...[...shapes].map(([name, { title }]) => new Option(title, name)), new Option("From a file or text\u200a…", READ));
+  select.append(...[...shapes].map(([name, { title }]) => new Option(title, name)), new Option("A letter\u200a…", LETTER), new Option("From a file or text\u200a…", READ));
 }
 
 /** The first region on a picture: the one drawn for the photo, or an ellipse. @param {{ id: string, frame: import("../common/frame.js").Frame }} picture @returns {Region} */
@@ -123,5 +130,7 @@ export function regionOn(name, { outline, center, toward }) {
 /** A shape in the middle of a photo, as large as fits. @param {string} name @param {Point} size of the photo @returns {Region} */
 export function shapeRegion(name, [width, height]) {
   const scale = Math.min(width, height) / Math.max(width, height);
-  return makeRegion((shapes.get(name)?.outline ?? []).map(([x, y]) => [x * scale, y * scale]));
+  const shape = shapes.get(name);
+  const outline = shape?.path === undefined ? { boundary: shape?.outline ?? [] } : readPath(shape.path);
+  return makeRegion(placed(outline, scale, [0, 0]));
 }

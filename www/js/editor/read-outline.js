@@ -2,19 +2,34 @@
 
 import { Region } from "../../pkg/index.js";
 import { unflatten } from "../common/frame.js";
-import { chooseOutline } from "./outline-text.js";
+import { chooseOutline, holeWords } from "./outline-text.js";
+import { readPath } from "./path.js";
 
 /** @typedef {import("./outline-text.js").Chosen} Chosen */
 /** What a page asks. @typedef {{ what: "outline", text: string }} OutlineQuestion */
-/** @typedef {Chosen | { refusal: string }} OutlineAnswer */
+/** `curves` between the points of the outline, where there are any. @typedef {(Chosen & { curves?: import("./curve.js").Curve[] }) | { refusal: string }} OutlineAnswer */
+
+/** An outline as it was drawn, curves and all; null where a text draws none, or several. @param {string} text @returns {(Chosen & { curves?: import("./curve.js").Curve[] }) | null} */
+function drawnIn(text) {
+  if (!/^\s*(<|[Mm]\s*[-+.\d])/.test(text)) return null;
+  try {
+    const { path, holes } = Region.parseShape(text);
+    const { boundary, curves } = readPath(path);
+    if (!curves) return null;
+    const kind = text.trim().startsWith("<") ? "an SVG drawing" : "the data of an SVG path";
+    return { outline: boundary, curves, said: `Read ${kind}, its curves as they are.${holeWords(holes.length)}` };
+  } catch {
+    return null;
+  }
+}
 
 /** The largest outline of a text; throws words where there is none. @param {string} text */
 export const chosenFrom = (text) => chooseOutline(text, (curve, tolerance) => unflatten(Region.parseOutline(curve, { tolerance })));
 
-/** @param {string} text @returns {OutlineAnswer} */
-export function readOutline(text) {
+/** @param {string} text @param {boolean} [curved] whether curves are to be kept @returns {OutlineAnswer} */
+export function readOutline(text, curved = false) {
   try {
-    return chosenFrom(text);
+    return (curved && drawnIn(text)) || chosenFrom(text);
   } catch (error) {
     return { refusal: error instanceof Error ? error.message : String(error) };
   }

@@ -1,46 +1,155 @@
 // The region being edited: an immutable value and the verbs that make the next one.
 
-import { area, contains, crossingEdges, deepPoint, mix, nearestOnBoundary, rightOf } from "./geometry.js";
+import { arcThrough, asBezier, converted, pointOn, splitAt } from "./curve.js";
+import { contains, crossingEdges, deepPoint, nearestOnBoundary, rightOf } from "./geometry.js";
+import { flatten } from "../common/frame.js";
+import { planePath } from "./path.js";
+import { counterClockwise, edgeOf, edgesOn, outlineOf, placeOn, placed, polygonOf } from "./outline.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
+/** @typedef {import("./curve.js").Curve} Curve */
+/** @typedef {import("./outline.js").Outline} Outline */
 /**
  * `toward` is kept as a place on an edge, so that it stays on the boundary when its edge moves.
- * @typedef {{ boundary: Point[], center: Point, toward: { edge: number, t: number } }} Region
+ * @typedef {Outline & { center: Point, toward: { edge: number, t: number } }} Region
  */
+/** What shapes an edge besides its ends: a control point of a curve, or the middle of an arc. @typedef {"first" | "second" | "bow"} Handle */
 
 /**
  * A region from its outline, counter-clockwise from here on; the vector is chosen where none is given: from the
  * boundary at the right to the point deepest inside.
- * @param {Point[]} outline @param {Point} [center] @param {Point} [toward] @returns {Region}
+ * @param {Outline | Point[]} outline @param {Point} [center] @param {Point} [toward] @returns {Region}
  */
 export function makeRegion(outline, center, toward) {
-  const boundary = area(outline) < 0 ? [...outline].reverse() : outline;
-  const inside = center ?? deepPoint(boundary);
-  const { edge, t } = toward ? nearestOnBoundary(boundary, toward) : rightOf(boundary, inside);
-  return { boundary, center: inside, toward: { edge, t } };
+  const drawn = counterClockwise(Array.isArray(outline) ? { boundary: outline } : outline);
+  const polygon = polygonOf(drawn);
+  const inside = center ?? deepPoint(polygon);
+  const place = toward ? nearestOnBoundary(polygon, toward) : rightOf(polygon, inside);
+  return { ...outlineOf(drawn.boundary, drawn.curves), center: inside, toward: placeOn(drawn, place) };
 }
 
 /** The outer end of the vector. @param {Region} region @returns {Point} */
-export function towardPoint({ boundary, toward: { edge, t } }) {
-  return mix(boundary[edge], boundary[(edge + 1) % boundary.length], t);
+export function towardPoint(region) {
+  const { edge, t } = region.toward;
+  return pointOn(...edgeOf(region, edge), t);
 }
 
-/** @param {Region} region @param {number} index @param {Point} to @returns {Region} */
+/** A region as a job carries it: `boundary` is the polygon that it looks like, `path` "" where it is one. @typedef {{ boundary: Float64Array, corners: Float64Array, path: string, center: Point, toward: Point }} Carried */
+
+/** @param {Region} region @returns {Carried} */
+export function carried(region) {
+  return { boundary: flatten(polygonOf(region)), corners: flatten(region.boundary), path: region.curves ? planePath(region) : "", center: region.center, toward: towardPoint(region) };
+}
+
+/** A point moves, and the control points beside it with it. @param {Region} region @param {number} index @param {Point} to @returns {Region} */
 export function moveVertex(region, index, to) {
-  return { ...region, boundary: region.boundary.map((p, k) => (k === index ? to : p)) };
+  const { boundary, curves } = region;
+  const [dx, dy] = [to[0] - boundary[index][0], to[1] - boundary[index][1]];
+  /** @param {Point} p @returns {Point} */
+  const shift = ([x, y]) => [x + dx, y + dy];
+  const before = (index + boundary.length - 1) % boundary.length;
+  const shifted = curves?.map((curve, k) => {
+    if (curve?.kind !== "curve") return curve;
+    return { ...curve, ...(k === index && { first: shift(curve.first) }), ...(k === before && { second: shift(curve.second) }) };
+  });
+  return { ...region, ...outlineOf(boundary.map((p, k) => (k === index ? to : p)), shifted) };
 }
 
-/** A vertex more, on `edge`. @param {Region} region @param {number} edge @param {Point} at @returns {Region} */
-export function insertVertex(region, edge, at) {
-  return retie(region, region.boundary.toSpliced(edge + 1, 0, at));
+/** A vertex more, on `edge` where it is nearest to `at`; the outline stays as it is. @param {Region} region @param {number} edge @param {Point} at @returns {Region} */
+export function splitEdge(region, edge, at) {
+  const [a, b, curve] = edgeOf(region, edge);
+  const alone = { boundary: [a, b], curves: [curve, null] };
+  // The edge alone: what closes it is no place for the vertex.
+  const polygon = polygonOf(alone);
+  const line = polygon.slice(0, -1);
+  const near = nearestOnBoundary([...line, b, ...line.slice(1).reverse()], at);
+  const t = nearestShare(near, line.length);
+  const { at: point, before, after } = splitAt(a, b, curve, t);
+  return retie(region, outlineOf(region.boundary.toSpliced(edge + 1, 0, point), region.curves?.toSpliced(edge, 1, before, after)));
 }
 
-/** A vertex less, while three remain; a center that is left outside moves inside. @param {Region} region @param {number} index @returns {Region} */
+/** An edge keeps its middle away from its ends. */
+const END = 1e-3;
+
+/** How far along a line that goes forth and back a place is. @param {{ edge: number, t: number }} place @param {number} chords */
+function nearestShare({ edge, t }, chords) {
+  const along = (edge + t) / chords;
+  return Math.min(1 - END, Math.max(END, along > 1 ? 2 - along : along));
+}
+
+/** A vertex less, while enough remain; a center that is left outside moves inside. @param {Region} region @param {number} index @returns {Region} */
 export function removeVertex(region, index) {
-  if (region.boundary.length <= 3) return region;
-  const less = retie(region, region.boundary.toSpliced(index, 1));
-  const lost = contains(region.boundary, region.center) && !contains(less.boundary, less.center);
-  return lost ? moveCenter(less, deepPoint(less.boundary)) : less;
+  if (!canRemove(region)) return region;
+  const count = region.boundary.length;
+  const before = (index + count - 1) % count;
+  const curves = region.curves?.toSpliced(before, 1, joined(region, before, index)).toSpliced(index, 1);
+  const less = retie(region, outlineOf(region.boundary.toSpliced(index, 1), curves));
+  const lost = contains(polygonOf(region), region.center) && !contains(polygonOf(less), less.center);
+  return lost ? moveCenter(less, deepPoint(polygonOf(less))) : less;
+}
+
+/** Whether an outline of a point less is one. @param {Outline} outline */
+export const canRemove = ({ boundary, curves }) => boundary.length > (curves ? 2 : 3);
+
+/** One edge for two: straight if both are, an arc through the point between two arcs, or a curve that starts and ends like them. @param {Region} region @param {number} before @param {number} index @returns {Curve} */
+function joined(region, before, index) {
+  const [a, middle, one] = edgeOf(region, before);
+  const [, b, other] = edgeOf(region, index);
+  if (!one && !other) return null;
+  if (one?.kind === "arc" && other?.kind === "arc") return arcThrough(a, b, middle);
+  return { kind: "curve", first: asBezier(a, middle, one).first, second: asBezier(middle, b, other).second };
+}
+
+/** The handles of an edge. @param {Outline} outline @param {number} edge @returns {{ handle: Handle, at: Point }[]} */
+export function handlesOf(outline, edge) {
+  const [a, b, curve] = edgeOf(outline, edge);
+  if (curve?.kind === "arc") return [{ handle: "bow", at: pointOn(a, b, curve, 0.5) }];
+  if (curve?.kind !== "curve") return [];
+  return [{ handle: "first", at: curve.first }, { handle: "second", at: curve.second }];
+}
+
+/** An arc that is hardly one can still be bent. @type {Curve} */
+const FLATTEST = { kind: "arc", bulge: 1e-4 };
+/** Directions that differ by less are meant to be the same, as the sine of an angle. */
+const SMOOTH = 2e-3;
+
+/** A handle moves; where two curves join smoothly they go on to, unless that is to be broken. @param {Region} region @param {number} edge @param {Handle} handle @param {Point} to @param {boolean} [breaks] @returns {Region} */
+export function moveHandle(region, edge, handle, to, breaks = false) {
+  const [a, b, curve] = edgeOf(region, edge);
+  if (handle === "bow") return withCurve(region, edge, arcThrough(a, b, to) ?? FLATTEST);
+  if (curve?.kind !== "curve") return region;
+  const next = withCurve(region, edge, { ...curve, [handle]: to });
+  const count = region.boundary.length;
+  const other = handle === "first" ? (edge + count - 1) % count : (edge + 1) % count;
+  const beyond = region.curves?.[other];
+  if (breaks || beyond?.kind !== "curve" || other === edge) return next;
+  const [corner, opposite] = handle === "first" ? [a, "second"] : [b, "first"];
+  const follows = turned(corner, curve[handle], to, beyond[/** @type {"first" | "second"} */ (opposite)]);
+  return follows ? withCurve(next, other, { ...beyond, [opposite]: follows }) : next;
+}
+
+/** Where the control point beyond a smooth joint goes, its distance kept; null where the joint is none. @param {Point} joint @param {Point} from @param {Point} to @param {Point} beyond @returns {Point | null} */
+function turned(joint, from, to, beyond) {
+  const [u, v, w] = [from, to, beyond].map(([x, y]) => [x - joint[0], y - joint[1]]);
+  const [before, after, reach] = [u, v, w].map(([x, y]) => Math.hypot(x, y));
+  const sine = (u[0] * w[1] - u[1] * w[0]) / (before * reach);
+  if (!(Math.abs(sine) < SMOOTH) || u[0] * w[0] + u[1] * w[1] > 0 || !after) return null;
+  return [joint[0] - (v[0] * reach) / after, joint[1] - (v[1] * reach) / after];
+}
+
+/** An edge is made a line, an arc or a curve. @param {Region} region @param {number} edge @param {import("./curve.js").Kind} kind @returns {Region} */
+export function convertEdge(region, edge, kind) {
+  const [a, b, curve] = edgeOf(region, edge);
+  // Two points with a line between them bound nothing else.
+  if (kind === "line" && region.boundary.length < 3) return region;
+  const place = towardPoint(region);
+  return moveToward(withCurve(region, edge, converted(a, b, curve, kind)), place);
+}
+
+/** @param {Region} region @param {number} edge @param {Curve} curve @returns {Region} */
+function withCurve({ boundary, curves, center, toward }, edge, curve) {
+  const all = curves ?? boundary.map(() => null);
+  return { ...outlineOf(boundary, all.with(edge, curve)), center, toward };
 }
 
 /** @param {Region} region @param {Point} center @returns {Region} */
@@ -48,26 +157,25 @@ export const moveCenter = (region, center) => ({ ...region, center });
 
 /** The vector's outer end goes to the boundary point nearest to `point`. @param {Region} region @param {Point} point @returns {Region} */
 export function moveToward(region, point) {
-  const { edge, t } = nearestOnBoundary(region.boundary, point);
-  return { ...region, toward: { edge, t } };
+  return { ...region, toward: placeOn(region, nearestOnBoundary(polygonOf(region), point)) };
 }
 
 /** @param {Region} region @param {Point} by @returns {Region} */
-export function translate({ boundary, center, toward }, [dx, dy]) {
-  /** @param {Point} p @returns {Point} */
-  const shift = ([x, y]) => [x + dx, y + dy];
-  return { boundary: boundary.map(shift), center: shift(center), toward };
+export function translate({ center, toward, ...outline }, by) {
+  return { ...placed(outline, 1, by), center: [center[0] + by[0], center[1] + by[1]], toward };
 }
 
 /**
  * What is visibly wrong, to be shown in red; the words come from the library.
  * @param {Region} region @returns {{ edges: Set<number>, center: boolean }}
  */
-export function faults({ boundary, center }) {
-  return { edges: crossingEdges(boundary), center: !contains(boundary, center) };
+export function faults(region) {
+  const polygon = polygonOf(region);
+  return { edges: edgesOn(region, crossingEdges(polygon)), center: !contains(polygon, region.center) };
 }
 
-/** The same vector tied to another boundary. @param {Region} region @param {Point[]} boundary @returns {Region} */
-function retie(region, boundary) {
-  return moveToward({ ...region, boundary }, towardPoint(region));
+/** The same vector tied to another outline. @param {Region} region @param {Outline} outline @returns {Region} */
+function retie(region, outline) {
+  const { center, toward } = region;
+  return moveToward({ ...outline, center, toward }, towardPoint(region));
 }

@@ -3,6 +3,7 @@
 import { make } from "../common/menu.js";
 import { remark, tell } from "../common/page.js";
 import { contains } from "./geometry.js";
+import { polygonOf } from "./outline.js";
 import { faults, makeRegion, towardPoint } from "./region.js";
 import { changeWords, repairOutline } from "./repair.js";
 
@@ -11,11 +12,11 @@ import { changeWords, repairOutline } from "./repair.js";
 
 /** The region with its outline repaired, and what was done; null where nothing can be. @param {Region} region @returns {{ region: Region, said: string } | null} */
 export function repaired(region) {
-  const found = repairOutline(region.boundary);
+  const found = repairOutline(polygonOf(region));
   if (!found) return null;
   const { outline, changes } = found;
   const center = contains(outline, region.center) ? region.center : undefined;
-  return { region: makeRegion(outline, center, center && towardPoint(region)), said: changeWords(changes) };
+  return { region: makeRegion(outline, center, center && towardPoint(region)), said: changeWords(changes) + (region.curves ? " Its curves are many short lines now." : "") };
 }
 
 /** @param {Store} store of the drawing @param {HTMLElement} stage over which the button lies */

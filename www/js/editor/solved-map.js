@@ -1,39 +1,42 @@
 // The Riemann map of a region that is being edited: made anew for a new outline, moved for a new vector.
 
 import { Region, RiemannMap } from "../../pkg/index.js";
+import { unflatten } from "../common/frame.js";
+import { readPath } from "./path.js";
 
-/** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../common/serve.js").Progress} Progress */
-/** A region as a job carries it. @typedef {{ boundary: Float64Array, center: Point, toward: Point }} Outline */
-/** `corners`: the boundary as the library keeps it, counter-clockwise. @typedef {{ map: RiemannMap, corners: Float64Array, ms: number }} Solved */
+/** @typedef {import("./region.js").Carried} Outline */
+/** `corners`: points of the boundary, counter-clockwise: its corners, or where it has curves, as many points of it as it takes to look like it. `outline`: the same with its curves. @typedef {{ map: RiemannMap, corners: Float64Array, outline: import("./outline.js").Outline, ms: number }} Solved */
 
 export class SolvedMap {
-  /** @type {(Solved & { outline: string, vector: string }) | null} */
+  /** @type {(Solved & { drawn: string, vector: string }) | null} */
   #last = null;
 
   /** The region's map; it is valid until the next call. @param {Outline} region @param {number} tolerance @param {Progress} onProgress @returns {Solved} */
   solve(region, tolerance, onProgress) {
-    const { boundary, center, toward } = region;
-    const outline = JSON.stringify([[...boundary], tolerance]);
+    const { boundary, path, center, toward } = region;
+    const drawn = JSON.stringify([path || [...boundary], tolerance]);
     const vector = JSON.stringify([center, toward]);
     const last = this.#last;
-    if (last?.outline === outline && last.vector === vector) return last;
+    if (last?.drawn === drawn && last.vector === vector) return last;
     const begin = performance.now();
-    const { map, corners } =
-      last?.outline === outline
-        ? { map: last.map.withCenter({ center, toward, onProgress }), corners: last.corners }
+    const { map, corners, outline } =
+      last?.drawn === drawn
+        ? { map: last.map.withCenter({ center, toward, onProgress }), corners: last.corners, outline: last.outline }
         : solveAfresh(region, tolerance, onProgress);
     last?.map.free();
-    this.#last = { outline, vector, map, corners, ms: performance.now() - begin };
+    this.#last = { drawn, vector, map, corners, outline, ms: performance.now() - begin };
     return this.#last;
   }
 }
 
 /** @param {Outline} outline @param {number} tolerance @param {Progress} onProgress */
-function solveAfresh({ boundary, center, toward }, tolerance, onProgress) {
-  const region = new Region({ boundary, center, toward });
+function solveAfresh({ boundary, path, center, toward }, tolerance, onProgress) {
+  const region = new Region(path ? { path, center, toward } : { boundary, center, toward });
   try {
-    return { map: RiemannMap.solve(region, { tolerance, onProgress }), corners: region.boundary };
+    const corners = path ? boundary : region.boundary;
+    const outline = path ? readPath(path) : { boundary: unflatten(corners) };
+    return { map: RiemannMap.solve(region, { tolerance, onProgress }), corners, outline };
   } finally {
     region.free();
   }

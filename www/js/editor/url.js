@@ -2,6 +2,7 @@
 
 import { between, outline, oneOf, photo, point, someOf } from "../common/address.js";
 import { knowsPicture } from "../common/images.js";
+import { planePath, readPath } from "./path.js";
 import { shapes } from "./presets.js";
 import { towardPoint } from "./region.js";
 import { NOTHING_SHOWN } from "./store.js";
@@ -9,13 +10,14 @@ import { NOTHING_SHOWN } from "./store.js";
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./region.js").Region} Region */
 /** @typedef {import("./store.js").Shown} Shown */
-/** @typedef {{ image?: string, shape?: string, region?: Point[], center?: Point, toward?: Point }} Fields what an address says of one drawing */
+/** @typedef {{ image?: string, shape?: string, region?: Point[], path?: import("./outline.js").Outline, center?: Point, toward?: Point }} Fields what an address says of one drawing */
 
 /** The fields of one drawing. */
 export const drawingSchema = {
   image: photo(knowsPicture),
   shape: oneOf(shapes.keys()),
   region: outline,
+  path: readPath,
   center: point,
   toward: point,
 };
@@ -41,6 +43,9 @@ export function encodeShown(shown) {
 /** A ten-thousandth of half the photo is finer than a screen's pixel. @param {number} x */
 const short = (x) => String(Number(x.toFixed(4)));
 
+/** Where curves join smoothly, they are to do so after they were written. @param {number} x */
+const fine = (x) => String(Number(x.toFixed(6)));
+
 /** @param {Point[]} points */
 const write = (points) => points.map((p) => p.map(short).join(",")).join(";");
 
@@ -56,5 +61,7 @@ export function drawingFields(doc, first) {
 
 /** @param {import("./store.js").Document} doc @returns {Record<string, string>} */
 function fieldsOf({ image, region }) {
-  return { image, region: write(region.boundary), center: write([region.center]), toward: write([towardPoint(region)]) };
+  /** @type {Record<string, string>} */
+  const outline = region.curves ? { path: planePath(region, fine).replaceAll(" ", ",") } : { region: write(region.boundary) };
+  return { image, ...outline, center: write([region.center]), toward: write([towardPoint(region)]) };
 }

@@ -14,10 +14,12 @@ import { probeRow } from "../common/probe-menu.js";
 import { offerToSave } from "../common/save-menu.js";
 import { careFor, Scheduler } from "../common/scheduler.js";
 import { documentOf } from "../editor/document.js";
+import { offerEdges } from "../editor/edge-menu.js";
 import { failureWords, pairRows, probeWords } from "../editor/evidence.js";
 import { OutlineReader } from "../editor/outline-dialog.js";
 import { looksLikeOutline } from "../editor/outline-text.js";
-import { frameOf } from "../editor/presets.js";
+import { letterDialog } from "../editor/letter-dialog.js";
+import { frameOf, LETTER } from "../editor/presets.js";
 import { wishesOf } from "../editor/overlays.js";
 import { showMenu } from "../editor/show-menu.js";
 import { drawingFields, drawingSchema, encodeDrawing, encodeShown, shownOf, shownSchema } from "../editor/url.js";
@@ -50,11 +52,10 @@ let visiting = false;
 
 const first = read(firstFrom, firstTo);
 const [from, to] = await Promise.all([Side.open("from", first.from, wishOutline), Side.open("to", first.to, wishOutline)]);
-const outlines = new OutlineReader({
-  parse: (text) => scheduler.ask({ what: "outline", text }),
-  photo: () => active.picture.frame,
-  use: (outline) => active.useOutline(outline),
-});
+/** Where outlines go. */
+const onPhoto = { photo: () => active.picture.frame, use: (/** @type {import("../editor/outline.js").Outline} */ outline) => active.useOutline(outline) };
+const outlines = new OutlineReader({ parse: (text) => scheduler.ask({ what: "outline", text }), ...onPhoto });
+const askForLetter = letterDialog(onPhoto);
 const stores = [from.store, to.store];
 /** What is shown over both pictures is kept with the first. */
 const keeper = from.store;
@@ -68,6 +69,7 @@ const probe = new Probe(from.view, to.view, () => outcome?.carrier ?? null, (rea
   element("reading").textContent = probeWords(reading);
 });
 
+offerEdges(element("choose-edge"), [from, to]);
 const showShown = showMenu(keeper, element("show"));
 for (const side of [from, to]) side.store.subscribe((change) => onChange(side, change));
 connectControls();
@@ -75,10 +77,11 @@ new ResizeObserver(() => refresh(true)).observe(element("panels"));
 refresh(true);
 if (!first.wrong.length) remember();
 
-/** An outline is asked for, for that side. @param {Side} side */
-function wishOutline(side) {
+/** An outline, or a letter, is asked for, for that side. @param {Side} side @param {string} kind */
+function wishOutline(side, kind) {
   active = side;
-  outlines.ask();
+  if (kind === LETTER) askForLetter();
+  else outlines.ask();
 }
 
 /** @param {string} prefix */

@@ -133,7 +133,7 @@ export class RegionsPipeline {
 
   /** An outline from text; points carried by the map itself, where there is no mesh that the page could ask. @param {{ what: "points", side: Side, points: Point[] } | import("../editor/read-outline.js").OutlineQuestion} question */
   answer(question) {
-    if (question.what === "outline") return readOutline(question.text);
+    if (question.what === "outline") return readOutline(question.text, true);
     const { side, points } = question;
     const flat = flatten(points);
     const images = side === "source" ? this.#between?.forward(flat) : this.#between?.inverse(flat);
@@ -149,7 +149,7 @@ export class RegionsPipeline {
 /** What both maps say over the pictures: what goes to circles and rays, harmonic measure, how much the first is enlarged. @param {Job} job @param {Solved} from @param {Solved} to @param {RegionMap} between @param {JointTriangulation | null} joint @returns {Over} */
 function overOf({ show: { grid, heat, measure }, fine, view }, from, to, between, joint) {
   const stretch = heat ? stretchOf(from, to, between, fine ? FINE_HEAT : DRAFT_HEAT) : null;
-  const [source, target] = [from, to].map(({ map, corners }) => ({ lines: grid ? regionLines(map, grid, fine) : [], fence: measure ? fenceOf(map, corners) : null }));
+  const [source, target] = [from, to].map(({ map, outline }) => ({ lines: grid ? regionLines(map, grid, fine) : [], fence: measure ? fenceOf(map, outline) : null }));
   return { source: { ...source, heat: stretch }, target: { ...target, heat: stretch && (joint ? carriedHeat(joint, stretch, view) : carriedHeat(between, stretch, scaledTo(view, FINE_HEAT / 2))) } };
 }
 

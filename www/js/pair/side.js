@@ -1,15 +1,15 @@
 // One of the two photos with its region: state, view, editing and the controls above it.
 
 import { deviceGrid } from "../common/canvas.js";
-import { flatten, onGrid } from "../common/frame.js";
+import { onGrid } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
 import { attempt, element, pictureFor } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
 import { Editor } from "../editor/edit.js";
 import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
-import { defaultRegion, listShapes, READ, shapeRegion } from "../editor/presets.js";
-import { makeRegion, towardPoint } from "../editor/region.js";
+import { defaultRegion, LETTER, listShapes, READ, shapeRegion } from "../editor/presets.js";
+import { carried, makeRegion } from "../editor/region.js";
 import { offerRepair } from "../editor/repair-button.js";
 import { NOTHING_SHOWN, Store } from "../editor/store.js";
 
@@ -19,32 +19,34 @@ import { NOTHING_SHOWN, Store } from "../editor/store.js";
 export class Side {
   store;
   view;
+  editor;
   /** @type {Picture} */ picture;
   #pen;
   #photo;
   /** @type {(name: string) => HTMLElement} */ #find;
 
-  /** The pictures of a document first. @param {string} name @param {Document} doc @param {(side: Side) => void} wishOutline asks for an outline of the visitor's own */
+  /** The pictures of a document first. @param {string} name @param {Document} doc @param {(side: Side, kind: string) => void} wishOutline asks for an outline of the visitor's own, or a letter */
   static async open(name, doc, wishOutline) {
     return new Side(name, doc, await pictureFor(doc.image), wishOutline);
   }
 
-  /** @param {string} name the start of its elements' ids @param {Document} doc @param {Picture} picture @param {(side: Side) => void} wishOutline */
+  /** @param {string} name the start of its elements' ids @param {Document} doc @param {Picture} picture @param {(side: Side, kind: string) => void} wishOutline */
   constructor(name, doc, picture, wishOutline) {
     this.#find = (part) => element(`${name}-${part}`);
     this.picture = picture;
     const store = new Store(doc, NOTHING_SHOWN);
     this.store = store;
     this.view = new PhotoView(element(`${name}-photo`), element(`${name}-marks`), () => store.look());
-    new Editor(store, this.view);
+    this.editor = new Editor(store, this.view);
     this.#pen = new Pen({
       view: this.view,
       isActive: () => store.mode === "draw",
       onMode: (drawing) => store.setMode(drawing ? "draw" : "edit"),
       onOutline: (outline) => store.commit({ region: makeRegion(outline) }),
+      onStroke: (outline) => store.commit({ region: makeRegion(outline) }),
     });
     this.#photo = new PhotoChoice(/** @type {HTMLSelectElement} */ (this.#find("choose-photo")), (id) => this.#open(loadPicture(id)));
-    this.#connect(() => wishOutline(this));
+    this.#connect((kind) => wishOutline(this, kind));
     offerRepair(store, this.#find("stage"));
   }
 
@@ -76,8 +78,7 @@ export class Side {
 
   /** The region as a job carries it. */
   get outline() {
-    const { region } = this.store.doc;
-    return { boundary: flatten(region.boundary), center: region.center, toward: towardPoint(region) };
+    return carried(this.store.doc.region);
   }
 
   /** What is seen of the photo, on the panel's own pixels. @param {number} sharpness 1 for all of them */
@@ -96,7 +97,7 @@ export class Side {
     /** @type {HTMLButtonElement} */ (this.#find("redo")).disabled = !canRedo;
   }
 
-  /** Takes an outline as the region. @param {import("../common/frame.js").Point[]} outline */
+  /** Takes an outline as the region. @param {import("../editor/outline.js").Outline} outline */
   useOutline(outline) {
     this.#replace(makeRegion(outline));
   }
@@ -107,13 +108,13 @@ export class Side {
     this.store.commit({ region });
   }
 
-  /** @param {() => void} wishOutline asks for an outline of the visitor's own */
+  /** @param {(kind: string) => void} wishOutline asks for an outline of the visitor's own, or a letter */
   #connect(wishOutline) {
     const { store } = this;
     const shape = /** @type {HTMLSelectElement} */ (this.#find("choose-shape"));
     listShapes(shape);
     shape.onchange = () => {
-      if (shape.value === READ) wishOutline();
+      if (shape.value === READ || shape.value === LETTER) wishOutline(shape.value);
       else this.#replace(shapeRegion(shape.value, this.picture.frame.pixels));
       shape.value = "";
     };
