@@ -47,7 +47,7 @@ pub(crate) mod far_center;
 mod fast_log;
 mod fast_multipole;
 pub(crate) mod field;
-mod gmres;
+pub(crate) mod gmres;
 mod influence;
 mod known;
 mod legendre;

@@ -185,6 +185,14 @@ impl Canonical {
         (self.form.factor * value + self.form.shift, self.form.factor * slope)
     }
 
+    /// The map at a point of the boundary, made of two fields.
+    #[must_use]
+    pub fn value_on_boundary(&self, point: DomainPoint) -> Complex64 {
+        let (sum, _) = self.key_on_boundary(point);
+        let partner = self.partner.as_ref().map_or(Complex64::ZERO, |partner| partner.on_boundary(point).0);
+        (sum + Complex64::i() * self.form.factor * partner).inv()
+    }
+
     /// (z, k') where k is `target`, by Newton's method from what lies near.
     #[cold]
     fn from_seeds(&self, target: Complex64) -> Option<(Complex64, Complex64)> {

@@ -1,7 +1,6 @@
 //! Circles that bound a disk with round holes.
 
 use crate::plane::Complex64;
-use std::f64::consts::TAU;
 
 /// A round hole.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,12 +19,6 @@ impl Circle {
         Self { center: self.center.conj() / power, radius: self.radius / power }
     }
 
-    /// A smooth curve that it is.
-    #[must_use]
-    pub(super) fn points(self) -> Vec<Complex64> {
-        (0..POINTS).map(|k| self.center + Complex64::from_polar(self.radius, TAU * k as f64 / POINTS as f64)).collect()
-    }
-
     /// The point of the circle nearest to another.
     #[must_use]
     pub(super) fn nearest(self, z: Complex64) -> Complex64 {
@@ -36,5 +29,3 @@ impl Circle {
 
 /// The unit circle.
 pub(super) const UNIT: Circle = Circle { center: Complex64::ZERO, radius: 1.0 };
-/// A circle is the smooth curve through so many of its points.
-const POINTS: usize = 16;

@@ -3,26 +3,35 @@
 use super::super::both_ways::{Pointwise, places, two_ways};
 use super::super::evidence::{Evidence, evidence_methods};
 use super::canonical::Canonical;
-use super::circle::{Circle, UNIT};
+use super::circle::Circle;
+use super::circle_search::matching;
+use super::inverse_tree::Pair;
+use super::round_picture::RoundPicture;
 use super::slit_shapes::SlitShapes;
-use crate::plane::{Complex64, Curve, Domain};
+use crate::plane::{Complex64, Domain, DomainPoint, sort_by_number};
 use crate::symm::options::{Progress, SolveOptions, Stop};
 use crate::{Error, Result};
+use std::f64::consts::TAU;
 
-/// Steps to find the circles.
-const MOST_STEPS: usize = 60;
-/// The circles are known to this share of the tolerance.
-const SHARE: f64 = 0.05;
-/// Before, solves are as good as this share of what is lacking.
-const ROUGH: f64 = 1e-3;
-/// Steps that do not come nearer end the search.
-const PATIENCE: usize = 6;
-/// Places on each edge at which the map is checked.
+/// What the region is solved to, at best.
+const FINEST: f64 = 3e-13;
+/// The region is first solved to this share of the tolerance.
+const FIRST_SHARE: f64 = 0.1;
+/// The estimate is so many times what was measured.
+const SAFETY: f64 = 4.0;
+/// Places on each edge at which the map is checked,
 const CHECKS: usize = 4;
+/// followed from the first by steps halved so often,
+const MOST_HALVES: u32 = 7;
+/// itself found from a few of these on the circle.
+const STARTS: u32 = 256;
+const CANDIDATES: usize = 4;
+/// Pictures are not expected to agree better than this.
+const LEAST_ERROR: f64 = 1e-13;
 /// Images of the boundary may lie outside of what the other picture has there by this many times what is known of either's error.
 const SLACK: f64 = 30.0;
-/// Images as near to a circle as this may belong to the boundary.
-const NEAR_CIRCLE: f64 = 1e-9;
+/// Points as near to a circle as this lie on it.
+const ON_CIRCLE: f64 = 1e-12;
 
 /// The conformal map of a region with any number of holes onto the unit disk with round holes: the outer boundary goes to the unit
 /// circle, the center to 0, `toward` to 1 (P. Koebe's circular domains).
@@ -51,9 +60,11 @@ pub struct CircleMap {
 struct Joined {
     region: Canonical,
     /// The same of the disk with round holes.
-    round: Canonical,
+    round: RoundPicture,
     /// The rotation that follows.
     turn: Complex64,
+    /// So far from the circles images of the boundary may lie.
+    slack: f64,
     circles: Vec<Circle>,
 }
 
@@ -65,20 +76,13 @@ impl CircleMap {
     /// [`Error::Cancelled`], [`Error::Inaccurate`], [`Error::TooFewPoints`].
     pub fn solve(domain: &Domain, options: &SolveOptions, progress: Progress) -> Result<Self> {
         options.validate()?;
-        let finer = SolveOptions { tolerance: (0.1 * options.tolerance).max(1e-14), ..options.clone() };
-        let region = SlitShapes::solve(domain, &finer, progress)?;
-        let (circles, round, left) = matching(&region.circles, &finer, progress)?;
-        let mut evidence = region.evidence;
-        let slack = SLACK * (evidence.error_estimate + round.evidence.error_estimate + left);
-        let [region, round_map] = [region.map, round.map].map(|map| map.reaching(slack));
-        let circles = circles.iter().map(|circle| circle.inverted()).collect();
-        let mut map = Joined { region, round: round_map, turn: Complex64::ONE, circles };
-        let toward = domain.toward().unwrap_or(domain.contours()[0].polygon().vertices()[0]);
-        let there = map.value(toward).unwrap_or(Complex64::ONE);
-        map.turn = there.conj() / there.norm();
-        map.circles.iter_mut().for_each(|circle| circle.center *= map.turn);
-        let (mismatch, stretch) = map.checked();
-        evidence.error_estimate = stretch * (evidence.error_estimate + round.evidence.error_estimate + left) + mismatch;
+        let mut inner = (FIRST_SHARE * options.tolerance).max(FINEST);
+        let mut pictures = Pictures::solve(domain, inner, options, progress)?;
+        while pictures.evidence.error_estimate > options.tolerance && pictures.could_be_better(inner) {
+            inner = (0.3 * inner * options.tolerance / pictures.evidence.error_estimate).max(FINEST);
+            pictures = Pictures::solve(domain, inner, options, progress)?;
+        }
+        let mut evidence = pictures.evidence;
         if evidence.error_estimate.is_nan() || evidence.error_estimate > 1.0 {
             return Err(Error::Inaccurate { estimate: evidence.error_estimate });
         }
@@ -87,6 +91,14 @@ impl CircleMap {
         } else if evidence.stop == Stop::Tolerance {
             evidence.stop = Stop::Stagnation;
         }
+        let toward = domain.toward().unwrap_or(domain.contours()[0].polygon().vertices()[0]);
+        let there = domain.nearest(toward);
+        let turn = pictures.image(there).map_or(Complex64::ONE, |there| there.z.conj() / there.z.norm());
+        let Pictures { region, round, error, .. } = pictures;
+        let turned = |circle: Circle| Circle { center: circle.center * turn, ..circle };
+        let circles = (1..domain.contours().len()).map(|component| turned(round.circle(component))).collect();
+        let slack = SLACK * evidence.error_estimate;
+        let map = Joined { region: region.reaching(SLACK * error), round, turn, slack, circles };
         Ok(Self { map, evidence })
     }
 
@@ -132,41 +144,112 @@ impl CircleMap {
 }
 
 impl Joined {
-    /// The circle that a component goes to.
-    fn circle(&self, component: usize) -> Circle {
-        component.checked_sub(1).map_or(UNIT, |hole| self.circles[hole])
-    }
-
-    /// The circle that a point may belong to.
-    fn near_circle(&self, w: Complex64) -> Option<Circle> {
-        let near = |circle: &Circle| ((w - circle.center).norm() - circle.radius).abs() < NEAR_CIRCLE;
-        (0..=self.circles.len()).map(|k| self.circle(k)).find(near)
-    }
-
     /// w → (z, dz/dw).
     fn place(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
         let unturned = w * self.turn.conj();
-        let (v, slope) = self.round.at(unturned)?;
-        let on_circle = self.near_circle(w).is_some() && self.round.domain().on_boundary(unturned).is_some();
-        let found = if on_circle { self.region.inverse_on_boundary(v) } else { self.region.inverse(v) };
+        let outside = self.round.outside(unturned);
+        // Written so that NaN is outside.
+        if !unturned.is_finite() || outside.is_some_and(|(by, _)| by > ON_CIRCLE) {
+            return None;
+        }
+        let (v, slope) = self.round.at(unturned);
+        let is_on_circle = self.round.is_beside(unturned, ON_CIRCLE);
+        let inside = if is_on_circle { None } else { self.region.inverse(v) };
+        let is_beside = || is_on_circle || self.round.is_beside(unturned, self.slack);
+        let found = inside.or_else(|| if is_beside() { self.region.inverse_on_boundary(v) } else { None });
         found.map(|(z, back)| (z, back * slope * self.turn.conj()))
     }
+}
 
-    /// The largest distance, at places on the boundary, between what the two pictures say, and the largest stretch from them to the
-    /// disk.
+impl Pointwise for Joined {
+    fn at(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        let (v, slope) = self.region.at(z)?;
+        let (mut w, back) = self.round.inverse(v, self.slack)?;
+        if let Some((_, nearest)) = self.round.outside(w) {
+            w = nearest;
+        } else if self.round.is_beside(w, self.slack)
+            && let Some(point) = self.region.domain().on_boundary(z)
+        {
+            w = self.round.circle(point.component).nearest(w);
+        }
+        Some((w * self.turn, slope * back * self.turn))
+    }
+}
+
+/// The region's picture, and that of the disk with round holes.
+struct Pictures {
+    region: Canonical,
+    round: RoundPicture,
+    /// They may differ by this.
+    error: f64,
+    /// The estimate is of w.
+    evidence: Evidence,
+}
+
+impl Pictures {
+    fn solve(domain: &Domain, tolerance: f64, options: &SolveOptions, progress: Progress) -> Result<Self> {
+        let options = SolveOptions { tolerance, ..options.clone() };
+        let region = SlitShapes::solve(domain, &options, progress)?;
+        let (circles, shapes, left) = matching(&region.circles, tolerance, progress)?;
+        let error = region.evidence.error_estimate + shapes.error + left;
+        let round = RoundPicture::new(shapes, circles.iter().map(|circle| circle.inverted()).collect());
+        let mut pictures = Self { region: region.map, round, error, evidence: region.evidence };
+        let (mismatch, stretch) = pictures.checked();
+        pictures.evidence.error_estimate = SAFETY * (stretch * error + mismatch);
+        Ok(pictures)
+    }
+
+    /// Whether solving to less than this may help.
+    fn could_be_better(&self, tolerance: f64) -> bool {
+        tolerance > FINEST && self.evidence.stop == Stop::Tolerance
+    }
+
+    fn value(&self, point: DomainPoint) -> Complex64 {
+        self.region.value_on_boundary(point)
+    }
+
+    /// How far a point lies from the circle of a component.
+    fn off(&self, pair: &Pair, component: usize) -> f64 {
+        let circle = self.round.circle(component);
+        ((pair.z - circle.center).norm() - circle.radius).abs()
+    }
+
+    /// What a point of the boundary goes to, up to errors.
+    fn image(&self, point: DomainPoint) -> Option<Pair> {
+        let (v, circle) = (self.value(point), self.round.circle(point.component));
+        let start = |k: u32| circle.center + circle.radius * Complex64::cis(TAU * f64::from(k) / f64::from(STARTS));
+        let mut starts: Vec<_> = (0..STARTS).map(start).map(|w| (w, (self.round.at(w).0 - v).norm())).collect();
+        sort_by_number(&mut starts, |start| start.1);
+        let found = starts.iter().take(CANDIDATES).filter_map(|(w, _)| self.round.newton(v, *w));
+        found.min_by(|a, b| self.off(a, point.component).total_cmp(&self.off(b, point.component)))
+    }
+
+    /// What the place on a component goes to behind so many edges, from what another one, not far away, does.
+    fn followed(&self, component: usize, (from, known): (f64, Pair), to: f64, halves: u32) -> Option<Pair> {
+        let point = self.region.domain().place_along(component, to);
+        let v = self.value(point);
+        let found = self.round.newton(v, known.guess(v));
+        let is_good = |pair: &Pair| self.off(pair, component) <= SLACK * self.error.max(LEAST_ERROR) * stretch(pair);
+        if halves == 0 || found.as_ref().is_some_and(is_good) {
+            return found;
+        }
+        let middle = 0.5 * (from + to);
+        let between = self.followed(component, (from, known), middle, halves - 1)?;
+        self.followed(component, (middle, between), to, halves - 1)
+    }
+
+    /// The largest distance from the circles of images of places on the boundary, and the largest stretch there; NaN if one is not
+    /// found.
     fn checked(&self) -> (f64, f64) {
-        let domain = self.region.domain();
         let mut worst = (0.0, 1.0);
-        for (component, contour) in domain.contours().iter().enumerate() {
+        for (component, contour) in self.region.domain().contours().iter().enumerate() {
+            let place = |k: usize| (k as f64 + 0.37) / CHECKS as f64;
+            let mut last = self.image(self.region.domain().place_along(component, place(0)));
             for k in 0..contour.polygon().len() * CHECKS {
-                let z = domain.point_along(component, (k as f64 + 0.37) / CHECKS as f64);
-                let z = domain.nearest(z).place.point;
-                let found = self.at(z).and_then(|(w, _)| {
-                    let round = self.round.at(w * self.turn.conj())?;
-                    Some(((self.region.value(z)? - round.0) / round.1, round.1))
-                });
+                let from = place(k.saturating_sub(1));
+                last = last.and_then(|known| self.followed(component, (from, known), place(k), MOST_HALVES));
                 let (miss, stretch) =
-                    found.map_or((f64::NAN, f64::NAN), |(miss, slope)| (miss.norm(), slope.norm().recip()));
+                    last.map_or((f64::NAN, f64::NAN), |pair| (self.off(&pair, component), stretch(&pair)));
                 worst = (larger(worst.0, miss), larger(worst.1, stretch));
             }
         }
@@ -174,135 +257,14 @@ impl Joined {
     }
 }
 
+/// By how much errors of 1/v are larger in w.
+fn stretch(pair: &Pair) -> f64 {
+    pair.slope.norm() * pair.key.norm_sqr()
+}
+
 /// The larger; NaN if one is.
 fn larger(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
-}
-
-impl Pointwise for Joined {
-    fn at(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
-        let (v, slope) = self.region.at(z)?;
-        let (mut w, back) = self.round.inverse(v).or_else(|| self.round.inverse_on_boundary(v))?;
-        w *= self.turn;
-        if self.near_circle(w).is_some()
-            && let Some(point) = self.region.domain().on_boundary(z)
-        {
-            w = self.circle(point.component).nearest(w);
-        }
-        Some((w, slope * back * self.turn))
-    }
-}
-
-/// The round holes whose picture is the one given, that picture, and by how much it differs.
-fn matching(given: &[Circle], options: &SolveOptions, progress: Progress) -> Result<(Vec<Circle>, SlitShapes, f64)> {
-    // They are looked for in the plane of 1/w, where the given ones are.
-    let mut circles = apart(given);
-    let mut search = Search::default();
-    let mut best: Option<(Vec<Circle>, SlitShapes, f64)> = None;
-    let mut idle = 0;
-    for step in 0..MOST_STEPS {
-        if !progress("circles", step as f64 / MOST_STEPS as f64) {
-            return Err(Error::Cancelled);
-        }
-        let far = best.as_ref().map_or(1.0, |(.., left)| ROUGH * left);
-        let rough = SolveOptions { tolerance: options.tolerance.max(far.min(ROUGH)), ..options.clone() };
-        let shapes = SlitShapes::solve(&disk_with(&circles)?, &rough, &mut |_, _| {
-            progress("circles", step as f64 / MOST_STEPS as f64)
-        })?;
-        let lacking: Vec<f64> = numbers(given).iter().zip(numbers(&shapes.circles)).map(|(a, b)| a - b).collect();
-        let left = lacking.iter().fold(0.0, |most, x| larger(most, x.abs()));
-        let change = search.next(lacking);
-        let better = best.as_ref().is_none_or(|(.., least)| left < *least);
-        idle = if better { 0 } else { idle + 1 };
-        let from = circles.clone();
-        if better {
-            best = Some((circles, shapes, left));
-        }
-        if left <= SHARE * options.tolerance && rough.tolerance <= options.tolerance || idle > PATIENCE {
-            break;
-        }
-        circles = search.moved(&from, change);
-    }
-    best.ok_or(Error::Inaccurate { estimate: f64::INFINITY })
-}
-
-/// The unit disk with round holes, by their inverses.
-fn disk_with(circles: &[Circle]) -> Result<Domain> {
-    let holes: Vec<_> = circles.iter().map(|circle| circle.inverted().points()).collect();
-    Domain::new(&UNIT.points(), &holes, Curve::Smooth)?.with_center(Complex64::ZERO)
-}
-
-/// What round holes are: center and radius of each.
-fn numbers(circles: &[Circle]) -> Vec<f64> {
-    circles.iter().flat_map(|circle| [circle.center.re, circle.center.im, circle.radius]).collect()
-}
-
-/// Whether their inverses lie in the disk and apart, 0 outside all of them.
-fn are_apart(circles: &[Circle]) -> bool {
-    let circles: Vec<Circle> = circles.iter().map(|circle| circle.inverted()).collect();
-    circles.iter().enumerate().all(|(k, a)| {
-        let distance = a.center.norm();
-        let clear = |b: &Circle| (a.center - b.center).norm() > a.radius + b.radius;
-        a.radius > 0.0 && distance + a.radius < 1.0 && distance > a.radius && circles[..k].iter().all(clear)
-    })
-}
-
-/// The same centers with smaller radii, if these are too large to begin with.
-fn apart(circles: &[Circle]) -> Vec<Circle> {
-    let smaller =
-        |k: i32| circles.iter().map(|c| Circle { radius: c.radius * 0.8f64.powi(k), ..*c }).collect::<Vec<_>>();
-    (0..40).map(smaller).find(|circles| are_apart(circles)).unwrap_or_else(|| smaller(40))
-}
-
-/// Broyden's method for what is lacking, the identity being near to the derivative: C. T. Kelley, *Iterative Methods for Linear and
-/// Nonlinear Equations* (1995), section 7.3.
-#[derive(Default)]
-struct Search {
-    steps: Vec<Vec<f64>>,
-}
-
-impl Search {
-    /// The step that follows from what is lacking now.
-    fn next(&mut self, mut lacking: Vec<f64>) -> Vec<f64> {
-        for pair in self.steps.windows(2) {
-            let share = dot(&pair[0], &lacking) / dot(&pair[0], &pair[0]);
-            add(&mut lacking, share, &pair[1]);
-        }
-        if let Some(last) = self.steps.last() {
-            let share = 1.0 - dot(last, &lacking) / dot(last, last);
-            lacking.iter_mut().for_each(|x| *x /= share);
-        }
-        lacking
-    }
-
-    /// The circles after a step, which is shortened, and what was learnt forgotten, where they would not be apart.
-    fn moved(&mut self, circles: &[Circle], mut step: Vec<f64>) -> Vec<Circle> {
-        for _ in 0..MOST_STEPS {
-            let moved: Vec<Circle> = circles
-                .iter()
-                .zip(step.chunks_exact(3))
-                .map(|(circle, by)| Circle {
-                    center: circle.center + Complex64::new(by[0], by[1]),
-                    radius: circle.radius + by[2],
-                })
-                .collect();
-            if are_apart(&moved) {
-                self.steps.push(step);
-                return moved;
-            }
-            self.steps.clear();
-            step.iter_mut().for_each(|x| *x *= 0.5);
-        }
-        circles.to_vec()
-    }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn add(sum: &mut [f64], factor: f64, term: &[f64]) {
-    sum.iter_mut().zip(term).for_each(|(sum, x)| *sum += factor * x);
 }
 
 evidence_methods!(CircleMap, "of w.");

@@ -80,6 +80,8 @@ const SHARE_OF_STRIP: f64 = 0.6;
 const DEEPEST: u32 = 6;
 /// nor than the whole by more than 2 to these.
 const DEEPEST_OF_ALL: (u32, u32) = (9, 12);
+/// Squares are empty whose middle is no key, with no known one nearer to it than this many half diagonals.
+const EMPTY: f64 = 2.0;
 /// Samples on a square's circle.
 const SAMPLES: usize = 32;
 /// Terms that they tell.
@@ -136,7 +138,9 @@ impl InverseTree {
             return Decision::Leaf(InverseLeaf::Series(Series { center: square.center, radius, coefficients }));
         }
         let known = found.or(known);
-        if square.level < self.deepest {
+        // In a hole there is nothing to be found.
+        let is_empty = || found.is_none() && inverted.seeds.distance(square.center) > EMPTY * radius;
+        if square.level < self.deepest && !is_empty() {
             return Decision::Split(known);
         }
         Decision::Leaf(known.map_or(InverseLeaf::Nothing, InverseLeaf::Near))

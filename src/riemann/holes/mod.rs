@@ -6,6 +6,7 @@
 mod annulus;
 mod canonical;
 mod circle;
+mod circle_search;
 mod circles;
 mod curve_squares;
 mod cuts;
@@ -20,6 +21,8 @@ mod inverse_tree;
 mod level_lines;
 mod peak;
 mod polygon_squares;
+mod round_picture;
+mod round_shapes;
 mod seeds;
 mod slit_shapes;
 mod slits;

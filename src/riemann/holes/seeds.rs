@@ -30,11 +30,15 @@ impl Seeds {
     /// Samples a domain; `key` gives the key of a point of it.
     #[must_use]
     pub fn new(domain: &Domain, periodic: bool, key: &dyn Fn(Complex64) -> Option<Complex64>) -> Self {
-        let points = samples(domain);
         let reduced = |key: Complex64| {
             if periodic { Complex64::new(key.re, key.im.rem_euclid(TAU)) } else { key }
         };
-        let pairs: Vec<_> = points.into_iter().filter_map(|z| Some((reduced(key(z)?), z))).collect();
+        Self::of(samples(domain).into_iter().filter_map(|z| Some((reduced(key(z)?), z))).collect(), periodic)
+    }
+
+    /// Pairs (key, z), where periodic keys' imaginary parts lie in [0, 2π).
+    #[must_use]
+    pub fn of(pairs: Vec<(Complex64, Complex64)>, periodic: bool) -> Self {
         let ([left, right], [lower, upper]) =
             (core(pairs.iter().map(|(key, _)| key.re)), core(pairs.iter().map(|(key, _)| key.im)));
         let (mut low, mut high) = (Complex64::new(left, lower), Complex64::new(right, upper));
@@ -63,18 +67,26 @@ impl Seeds {
         (along(place.re, self.scale.re), along(place.im, self.scale.im))
     }
 
+    /// How far the nearest known key is.
+    #[must_use]
+    pub fn distance(&self, key: Complex64) -> f64 {
+        self.near(key, 1).first().map_or(f64::INFINITY, |(near, _)| self.apart(*near, key).norm())
+    }
+
+    fn apart(&self, a: Complex64, b: Complex64) -> Complex64 {
+        let mut apart = a - b;
+        if self.periodic {
+            apart.im -= TAU * (apart.im / TAU).round();
+        }
+        apart
+    }
+
     /// A few pairs near a key, nearest first.
     #[must_use]
     pub fn near(&self, key: Complex64, count: usize) -> Vec<(Complex64, Complex64)> {
         let key = if self.periodic { Complex64::new(key.re, key.im.rem_euclid(TAU)) } else { key };
         let (column, row) = self.bin(key);
-        let distance = |other: Complex64| {
-            let mut apart = other - key;
-            if self.periodic {
-                apart.im -= TAU * (apart.im / TAU).round();
-            }
-            apart.norm_sqr()
-        };
+        let distance = |other: Complex64| self.apart(other, key).norm_sqr();
         let mut found: Vec<(f64, u32)> = Vec::new();
         let mut last = false;
         for reach in 0..BINS {

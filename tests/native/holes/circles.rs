@@ -1,7 +1,9 @@
 //! Disks with round holes.
 
 use super::{curve, options, square};
+use crate::support::random::Random;
 use conformal_warp::{Circle, CircleMap, Complex64, Curve, Domain, Error, SlitKind, SlitMap, Stop};
+use std::f64::consts::TAU;
 
 const HOLES: [(f64, f64, f64); 2] = [(-0.2517, 0.3129, 0.2377), (0.2307, -0.4667, 0.1557)];
 
@@ -11,8 +13,17 @@ fn at(x: f64, y: f64) -> Complex64 {
 
 /// The unit disk with round holes, pushed forward; 1 goes to where 1 goes.
 fn pushed(f: impl Fn(Complex64) -> Complex64, center: Complex64) -> Domain {
-    let circle = |center: Complex64, radius: f64| curve(64, |t| f(center + Complex64::from_polar(radius, t)));
-    let holes = HOLES.map(|(x, y, radius)| circle(at(x, y), radius));
+    pushed_with(&HOLES, 64, f, center)
+}
+
+fn pushed_with(
+    holes: &[(f64, f64, f64)],
+    count: usize,
+    f: impl Fn(Complex64) -> Complex64,
+    center: Complex64,
+) -> Domain {
+    let circle = |center: Complex64, radius: f64| curve(count, |t| f(center + Complex64::from_polar(radius, t)));
+    let holes: Vec<_> = holes.iter().map(|&(x, y, radius)| circle(at(x, y), radius)).collect();
     let domain = Domain::new(&circle(at(0.0, 0.0), 1.0), &holes, Curve::Smooth).unwrap();
     domain.with_center(f(center)).unwrap().with_toward(f(Complex64::ONE)).unwrap()
 }
@@ -22,10 +33,10 @@ fn solve(domain: &Domain, tolerance: f64) -> CircleMap {
 }
 
 /// Points of the unit disk outside the holes, and on all circles.
-fn points() -> Vec<Complex64> {
-    let outside = |z: &Complex64| z.norm() < 1.0 && HOLES.iter().all(|&(x, y, radius)| (z - at(x, y)).norm() > radius);
+fn points(holes: &[(f64, f64, f64)]) -> Vec<Complex64> {
+    let outside = |z: &Complex64| z.norm() < 1.0 && holes.iter().all(|&(x, y, radius)| (z - at(x, y)).norm() > radius);
     let grid = (0..100).map(|k| at(f64::from(k % 10) * 0.21 - 0.94, f64::from(k / 10) * 0.21 - 0.93)).filter(outside);
-    let circles = HOLES.into_iter().chain([(0.0, 0.0, 1.0)]);
+    let circles = holes.iter().copied().chain([(0.0, 0.0, 1.0)]);
     grid.chain(circles.flat_map(|(x, y, radius)| curve(7, |t| at(x, y) + Complex64::from_polar(radius, t + 0.1))))
         .collect()
 }
@@ -43,16 +54,26 @@ fn is_exact(
     domain_of: impl Fn(Complex64) -> Complex64,
     disk_of: impl Fn(Complex64) -> Complex64 + Copy,
 ) {
+    is_exact_with(&HOLES, map, domain_of, disk_of);
+}
+
+fn is_exact_with(
+    holes: &[(f64, f64, f64)],
+    map: &CircleMap,
+    domain_of: impl Fn(Complex64) -> Complex64,
+    disk_of: impl Fn(Complex64) -> Complex64 + Copy,
+) {
     let bound = map.error_estimate();
-    for (found, hole) in map.circles().iter().zip(HOLES) {
+    for (found, &hole) in map.circles().iter().zip(holes) {
         let exact = image(disk_of, hole);
         assert!((found.center - exact.center).norm() < bound && (found.radius - exact.radius).abs() < bound);
     }
-    let points = points();
+    let points = points(holes);
     let places: Vec<Complex64> = points.iter().map(|&z| domain_of(z)).collect();
     let images = map.to_circles(&places);
     for (z, w) in points.iter().zip(&images) {
-        assert!((w - disk_of(*z)).norm() < bound, "{z} → {w}, estimate {bound:e}");
+        let error = (w - disk_of(*z)).norm();
+        assert!(error < bound, "{z} → {w}, error {error:e}, estimate {bound:e}");
     }
     for (z, back) in places.iter().zip(map.from_circles(&images)) {
         assert!((z - back).norm() < 3.0 * bound, "{z} ← {back}, estimate {bound:e}");
@@ -87,6 +108,42 @@ fn conformal_images_have_the_same_circles() {
     let (z, h) = (at(0.4, 0.3), 1e-5);
     let slope = (map.to_circles(&[z + h])[0] - map.to_circles(&[z - h])[0]) / (2.0 * h);
     assert!((slope - map.derivative(&[z])[0]).norm() < 1e-8);
+}
+
+/// Round holes in the unit disk, apart from each other and from its circle by more than a share of their radii.
+fn random_holes(random: &mut Random) -> Vec<(f64, f64, f64)> {
+    let mut holes: Vec<(f64, f64, f64)> = Vec::new();
+    for _ in 0..1 + random.below(8) {
+        let (center, radius) = (Complex64::from_polar(random.unit(), TAU * random.unit()), 0.03 + 0.3 * random.unit());
+        let away = |x: f64, y: f64| (center - at(x, y)).norm();
+        let clear = holes.iter().all(|&(x, y, r)| away(x, y) - r - radius > 0.3 * r.min(radius));
+        if 1.0 - center.norm() - radius > 0.3 * radius && away(0.0, 0.0) > radius + 0.1 && clear {
+            holes.push((center.re, center.im, radius));
+        }
+    }
+    holes
+}
+
+#[test]
+fn random_images_have_their_circles_within_the_estimate() {
+    let mut random = Random::new(15);
+    for case in 0..24 {
+        let holes = random_holes(&mut random);
+        let [a, b] = [0.15, 0.08].map(|size| Complex64::from_polar(size * random.unit(), TAU * random.unit()));
+        let polynomial = |z: Complex64| z + a * z * z + b * z * z * z;
+        let center = Complex64::from_polar(0.1 * random.unit(), TAU * random.unit());
+        let moebius = |z: Complex64| (z - center) / (1.0 - center.conj() * z);
+        let turn = moebius(Complex64::ONE).conj();
+        let domain = pushed_with(&holes, 96, polynomial, center);
+        let tolerance = [1e-4, 1e-7, 1e-10][case % 3];
+        let map = solve(&domain, tolerance);
+        assert!(
+            map.error_estimate() <= tolerance || map.stop() == Stop::TooFewPoints,
+            "{case}: {:e}",
+            map.error_estimate()
+        );
+        is_exact_with(&holes, &map, polynomial, |z| turn * moebius(z));
+    }
 }
 
 #[test]
