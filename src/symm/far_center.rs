@@ -59,6 +59,9 @@ const FARTHER: f64 = 2.0;
 const MOST_GROWTH: usize = 2;
 /// and this many.
 const LEAST_UNKNOWNS: usize = 200;
+/// More unknowns than these are not solved for: usual are a few hundred, and each attempt's matrices take memory beside those of the
+/// region's own center, by a hundred megabytes for so many.
+const MOST_UNKNOWNS: usize = 4000;
 
 /// What is done about a panel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,7 +76,8 @@ enum Role {
     Doubtful,
 }
 
-/// The region for `center` (scaled units), from what a center `near` it sees; `first` is the coarsest that panels get.
+/// The region for `center` (scaled units), from what a center `near` it sees; `first` is the coarsest that panels get. `None` if
+/// that takes too many unknowns.
 ///
 /// # Errors
 /// As [`solve`](super::solve::solve).
@@ -83,7 +87,7 @@ pub fn solve_far(
     center: Complex64,
     options: &SolveOptions,
     progress: Progress,
-) -> Result<(Measure, LocalSeries)> {
+) -> Result<Option<(Measure, LocalSeries)>> {
     let w = near.map(center);
     let sights: Vec<Sight> = (0..near.discretisation.panels.len()).map(|q| sight(near, q, w)).collect();
     let mut far = Far { near, center, sights, tolerance: options.tolerance, reach: 0.0, away: 0.0 };
@@ -95,9 +99,9 @@ pub fn solve_far(
         if panels != tried && panels.iter().any(|(_, role)| *role == Role::Solved) {
             let all_solved = panels.iter().all(|(_, role)| *role == Role::Solved);
             let effort = if all_solved { Effort::Whole } else { Effort::Trial };
-            let found = far.solve(&panels, (options, effort), progress)?;
+            let Some(found) = far.solve(&panels, (options, effort), progress)? else { return Ok(None) };
             if all_solved || found.0.estimate <= options.tolerance && !far.overlooks(&panels, &found.1) {
-                return Ok(found);
+                return Ok(Some(found));
             }
             tried = panels;
         }
@@ -167,8 +171,10 @@ impl Far<'_> {
         }
         let beside = BESIDE * self.clear();
         let is_seen = |q: usize, mass: f64| mass > noise || panels[q].distance(self.boundary(), self.center) <= beside;
+        // Of what is long and not near, noise is no measure: it is known roughly how much of it is seen.
+        let is_felt = |sight: &Sight| sight.away >= self.away && sight.mass.abs() > NEGLIGIBLE * self.tolerance;
         let role = |(q, sight): (usize, &Sight)| match solved[q] {
-            true if is_seen(q, sight.mass) => Role::Solved,
+            true if is_seen(q, sight.mass) || is_felt(sight) => Role::Solved,
             true => Role::Doubtful,
             false if sight.mass.abs() > least => Role::Known(q),
             false => Role::Unseen,
@@ -235,7 +241,7 @@ impl Far<'_> {
         panels: &[(Panel, Role)],
         (options, effort): (&SolveOptions, Effort),
         progress: Progress,
-    ) -> Result<(Measure, LocalSeries)> {
+    ) -> Result<Option<(Measure, LocalSeries)>> {
         let boundary = self.boundary();
         let near = &self.near.discretisation;
         let mut rules = Rules::from_panels(near.order.clone(), &near.panels, &near.rules);
@@ -249,12 +255,15 @@ impl Far<'_> {
         let known = Arc::new(Known::new(&known, &known_masses));
         let asked = panels.iter().filter(|(_, role)| *role == Role::Solved).map(|(panel, _)| *panel).collect();
         let discretisation = Discretisation::new(Arc::clone(boundary), asked, &mut rules);
+        if discretisation.unknowns() > MOST_UNKNOWNS {
+            return Ok(None);
+        }
         // Where it does not end soon, too much was taken for known, or for unseen.
         let most = MOST_GROWTH * discretisation.unknowns() + LEAST_UNKNOWNS;
         let options = SolveOptions { max_unknowns: most.min(options.max_unknowns), ..options.clone() };
         let system = Arc::new(System::new(discretisation, progress)?.with_known(&known));
         let solution = seen_from(self.center, system, rules.clone(), None, (&options, effort), progress)?;
-        Ok(self.merged(panels, &solution, &mut rules))
+        Ok(Some(self.merged(panels, &solution, &mut rules)))
     }
 
     /// What was solved for among what was known.
@@ -392,7 +401,7 @@ mod tests {
         let mut near = first.clone();
         for x in [2.0, 4.0] {
             let center = Complex64::new(x, 0.5);
-            near = solve_far(&first, &near, center * unit, &options, &mut |_, _| true).unwrap().0;
+            near = solve_far(&first, &near, center * unit, &options, &mut |_, _| true).unwrap().unwrap().0;
             let whole = solved(center);
             let bound = near.estimate + whole.estimate;
             for edge in 0..6 {

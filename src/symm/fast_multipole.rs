@@ -5,7 +5,7 @@
 //! clusters' radii, so that no size overflows.
 
 use super::clusters::{Cluster, ClusterTree, Interactions};
-use super::influence::Influence;
+use super::influence::{Influence, zeros};
 use super::multipole::{binomials, shift_multipole, shift_series};
 use super::options::Progress;
 use super::panelled::Panelled;
@@ -66,6 +66,12 @@ impl FastInfluence {
         Ok(fast)
     }
 
+    /// Bytes of memory, about.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        std::mem::size_of_val(&self.near_entries[..]) + std::mem::size_of_val(&self.unit_multipoles[..])
+    }
+
     fn without_near(discretisation: &dyn Panelled, taus: &[f64], digits: f64) -> Self {
         let p = discretisation.order().p();
         let order = (digits * std::f64::consts::LN_10 / -SEPARATION.ln()).ceil() as usize;
@@ -97,7 +103,7 @@ impl FastInfluence {
         let size = |&(t, s): &(usize, usize)| {
             clusters[t].panels.len() * self.targets_per_panel * clusters[s].panels.len() * self.p
         };
-        self.near_entries = vec![0.0; self.interactions.near.iter().map(size).sum()];
+        self.near_entries = zeros(self.interactions.near.iter().map(size).sum())?;
         let mut rest = self.near_entries.as_mut_slice();
         for (done, pair) in self.interactions.near.iter().enumerate() {
             let (block, after) = rest.split_at_mut(size(pair));

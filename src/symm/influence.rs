@@ -13,6 +13,26 @@ pub trait Influence: Send + Sync {
     fn apply(&self, masses: &[f64], potentials: &mut [f64]);
 }
 
+/// So many zeros.
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
+pub fn zeros(count: usize) -> Result<Vec<f64>> {
+    let mut values = room(count)?;
+    values.resize(count, 0.0);
+    Ok(values)
+}
+
+/// Room for so many numbers: matrices are what memory ends with first.
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
+pub fn room(count: usize) -> Result<Vec<f64>> {
+    let mut values = Vec::new();
+    values.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { bytes: 8 * count as u64 })?;
+    Ok(values)
+}
+
 /// Every entry stored: best up to a few thousand unknowns.
 #[derive(Clone, Debug)]
 pub struct DenseInfluence {
@@ -33,7 +53,7 @@ impl DenseInfluence {
     ) -> Result<Self> {
         let (columns, p) = (discretisation.unknowns(), discretisation.order().p());
         let targets = discretisation.targets(taus);
-        let mut entries = vec![0.0; columns * targets.len()];
+        let mut entries = zeros(columns * targets.len())?;
         for (i, (target, row)) in targets.iter().zip(entries.chunks_exact_mut(columns)).enumerate() {
             let known = before.and_then(|(old, refinement)| Some((old, refinement, refinement.kept(target.panel)?)));
             if let Some((old, refinement, kept)) = known {
@@ -52,6 +72,12 @@ impl DenseInfluence {
             }
         }
         Ok(Self { columns, entries })
+    }
+
+    /// Bytes of memory, about.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        std::mem::size_of_val(&self.entries[..])
     }
 
     /// Of potentials at the nodes: the row-major matrix of some panels alone, of p nodes each.
@@ -88,5 +114,17 @@ impl Influence for DenseInfluence {
         for (potential, row) in potentials.iter_mut().zip(self.entries.chunks_exact(self.columns)) {
             *potential = dot(row, masses);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_does_not_fit_is_refused() {
+        let count = usize::MAX / 32;
+        assert_eq!(zeros(count), Err(Error::OutOfMemory { bytes: 8 * count as u64 }));
+        assert_eq!(zeros(3), Ok(vec![0.0; 3]));
     }
 }

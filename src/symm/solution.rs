@@ -21,12 +21,16 @@ use std::sync::{Arc, OnceLock};
 pub(super) const ERROR_PER_RESIDUAL: f64 = 10.0;
 /// Rounding alone makes errors of this size in the map.
 const ROUNDING: f64 = 1e-14;
+/// A larger system, in bytes, is not kept for another center: what far ends need is to have room beside it. Ten thousand vertices at
+/// 1e-3 have less.
+const MOST_KEPT: usize = 400 << 20;
+
 /// A solved equation, with its evidence.
 #[derive(Clone, Debug)]
 pub struct Solution {
     /// The panels it lives on.
     discretisation: Arc<Discretisation>,
-    /// Ready for another center; of a stored solution, assembled when first asked for.
+    /// Ready for another center; of a stored solution and of a very large one, assembled when first asked for.
     system: OnceLock<Arc<System>>,
     /// The center, in the scaled units of the boundary.
     pub center: Complex64,
@@ -136,5 +140,6 @@ pub(super) fn finish(
         let edge = system.discretisation.panels[worst].edge;
         return Err(Error::NegativeMass { mass, estimate: error_estimate, edge });
     }
-    Ok(Solution { system: OnceLock::from(system), ..solution })
+    // What is not kept is assembled again for another center.
+    Ok(if system.bytes() > MOST_KEPT { solution } else { Solution { system: OnceLock::from(system), ..solution } })
 }

@@ -55,6 +55,13 @@ impl Equations {
             Self::Fast(fast) => fast.apply(masses, potentials),
         }
     }
+
+    fn bytes(&self) -> usize {
+        match self {
+            Self::Dense(dense) => dense.bytes(),
+            Self::Fast(fast) => fast.bytes(),
+        }
+    }
 }
 
 enum Inverse {
@@ -171,6 +178,12 @@ impl SystemEquations {
             inverse: Arc::new(inverse),
             given: None,
         })
+    }
+
+    /// Bytes of memory that its entries take, about.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.equations.bytes() + self.check_equations.bytes()
     }
 
     fn with_known(self, known: &Arc<Known>) -> Self {

@@ -145,7 +145,7 @@ impl Atlas {
         if self.charts.len() >= self.options.max_charts.min(MAX_CHARTS) || unknowns >= affordable {
             return false;
         }
-        let Ok((measure, series)) = solve_far(first, &near.measure, center, &self.options, progress) else {
+        let Ok(Some((measure, series))) = solve_far(first, &near.measure, center, &self.options, progress) else {
             return false;
         };
         let chart = Chart::new(measure, series, &self.walls);
