@@ -33,6 +33,7 @@
 //! `field` and `smooth_field` are what a `problem` of a region with holes gives: one analytic function, known everywhere.
 
 pub(crate) mod center;
+mod circle_iteration;
 mod clusters;
 pub(crate) mod correspondence;
 mod curved_boundary;

@@ -1,5 +1,7 @@
-//! Symm's equation at equally spaced nodes of smooth curves, one or several: the matrix, factored.
+//! Symm's equation at equally spaced nodes of smooth curves, one or several: the matrix, factored or, if it is large, iterated.
 
+use super::circle_iteration::CircleIteration;
+use super::influence::room;
 use super::lu::{Lu, dot};
 use super::options::Progress;
 use crate::plane::{Complex64, SmoothCurve};
@@ -12,7 +14,7 @@ use std::sync::Arc;
 pub(super) const ROUNDING_PER_NODE: f64 = 2e-16;
 /// Fewest nodes of a curve.
 pub(super) const LEAST_NODES: usize = 64;
-/// Most nodes: a dense factorisation of this size takes seconds.
+/// Most nodes: two matrices of this size take 270 MB.
 pub(super) const MOST_NODES: usize = 4096;
 
 /// Curves sampled at equally spaced nodes.
@@ -38,8 +40,17 @@ pub struct SmoothSystem {
     samples: Arc<Samples>,
     /// Entries at the checks, row-major.
     check_rows: Vec<f64>,
-    lu: Lu,
+    inverse: Inverse,
 }
+
+#[derive(Debug)]
+enum Inverse {
+    Factored(Lu),
+    Iterated(CircleIteration),
+}
+
+/// Up to so many nodes a factorisation beats iterating (measured).
+const FACTOR_UP_TO: usize = 1024;
 
 /// What one right-hand side gave.
 #[derive(Clone, Debug)]
@@ -114,11 +125,12 @@ impl SmoothSystem {
     pub fn of(samples: &Arc<Samples>, progress: Progress) -> Result<Self> {
         let Samples { loops, nodes, tangents, checks, .. } = samples.as_ref();
         let (n, m) = (nodes.len(), loops.len());
-        let mut matrix = Vec::with_capacity((n + m) * (n + m));
-        let mut check_rows = Vec::with_capacity(n * n);
+        let (mut matrix, mut check_rows) = (room((n + m) * (n + m))?, room(n * n)?);
         for (curve, own) in loops.iter().enumerate() {
             let count = own.len();
             let sine_weights = SineWeights::new(count);
+            let inverse_chords: Vec<f64> = (0..2 * count).map(|h| chord(h, count).powi(-2)).collect();
+            let log_ratio = |z: Complex64, half_steps: usize| 0.5 * (z.norm_sqr() * inverse_chords[half_steps]).ln();
             for i in own.clone() {
                 for j in 0..n {
                     if !own.contains(&j) {
@@ -126,15 +138,11 @@ impl SmoothSystem {
                         check_rows.push((checks[i] - nodes[j]).norm().ln());
                         continue;
                     }
-                    let apart = (i + count - j) % count;
-                    let ratio = if i == j {
-                        tangents[i].norm()
-                    } else {
-                        (nodes[i] - nodes[j]).norm() / chord(2 * apart, count)
-                    };
-                    matrix.push(ratio.ln() + sine_weights.at(2 * apart));
-                    let ratio = (checks[i] - nodes[j]).norm() / chord(2 * apart + 1, count);
-                    check_rows.push(ratio.ln() + sine_weights.at(2 * apart + 1));
+                    let apart = if i >= j { i - j } else { i + count - j };
+                    let log = if i == j { tangents[i].norm().ln() } else { log_ratio(nodes[i] - nodes[j], 2 * apart) };
+                    matrix.push(log + sine_weights.at(2 * apart));
+                    let log = log_ratio(checks[i] - nodes[j], 2 * apart + 1);
+                    check_rows.push(log + sine_weights.at(2 * apart + 1));
                 }
                 matrix.extend((0..m).map(|k| f64::from(u8::from(k == curve))));
                 if i % 32 == 0 && !progress("assemble", i as f64 / n as f64) {
@@ -146,8 +154,12 @@ impl SmoothSystem {
             matrix.extend((0..n).map(|j| f64::from(u8::from(own.contains(&j)))));
             matrix.resize(matrix.len() + m, 0.0);
         }
-        let lu = Lu::new(n + m, matrix);
-        Ok(Self { samples: Arc::clone(samples), check_rows, lu })
+        let inverse = if n <= FACTOR_UP_TO {
+            Inverse::Factored(Lu::new(n + m, matrix))
+        } else {
+            Inverse::Iterated(CircleIteration::new(loops.clone(), matrix))
+        };
+        Ok(Self { samples: Arc::clone(samples), check_rows, inverse })
     }
 
     /// What it was assembled from.
@@ -162,7 +174,10 @@ impl SmoothSystem {
         let n = self.len();
         let mut x = at_nodes;
         x.extend_from_slice(charges);
-        self.lu.solve(&mut x);
+        match &self.inverse {
+            Inverse::Factored(lu) => lu.solve(&mut x),
+            Inverse::Iterated(iteration) => x = iteration.solve(&x),
+        }
         let constants = x.split_off(n);
         let worse = |worst: f64, r: f64| if r > worst || r.is_nan() { r } else { worst };
         let residual_of = |(own, c): (&Range<usize>, &f64)| {
@@ -218,6 +233,6 @@ impl SineWeights {
     }
 
     fn at(&self, half_steps: usize) -> f64 {
-        self.weights[half_steps % self.weights.len()]
+        self.weights[half_steps]
     }
 }
