@@ -15,6 +15,7 @@ mod polygon;
 mod region;
 mod smooth_curve;
 mod sorting;
+mod spline;
 mod stored_edges;
 mod svg_file;
 pub(crate) mod svg_path;
@@ -34,6 +35,7 @@ pub use polygon::{BoundaryPoint, Polygon};
 pub use region::Region;
 pub use smooth_curve::SmoothCurve;
 pub(crate) use sorting::{sort_by, sort_by_number};
+pub use spline::spline;
 
 /// The image of what has none.
 pub(crate) const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);

@@ -14,7 +14,8 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// What makes a region.
 #[derive(Debug, Deserialize, Tsify)]
 pub struct RegionOptions {
-    /// The boundary points `[x0, y0, x1, y1, …]`, in either orientation. A boundary is given by this, by `path` or by `edges`.
+    /// The boundary points `[x0, y0, x1, y1, …]`, in either orientation. A boundary is given by this, by `path`, by `edges` or by
+    /// `through`.
     #[serde(default, deserialize_with = "options::some_numbers")]
     #[tsify(optional, type = "Float64Array")]
     pub boundary: Option<Vec<f64>>,
@@ -29,7 +30,15 @@ pub struct RegionOptions {
     #[serde(default, deserialize_with = "options::some_value")]
     #[tsify(optional, type = "EdgeOptions[]")]
     pub edges: Option<JsValue>,
-    /// The boundary points of each hole, in either orientation. Not with `path` or `edges`.
+    /// Points `[x0, y0, x1, y1, …]` through which the boundary goes, smoothly but for `corners`: cubic splines, which leave a smooth
+    /// curve through the same points by the fourth power of their distance.
+    #[serde(default, deserialize_with = "options::some_numbers")]
+    #[tsify(optional, type = "Float64Array")]
+    pub through: Option<Vec<f64>>,
+    /// Indices of the points of `through` that are corners; none by default.
+    #[tsify(optional)]
+    pub corners: Option<Vec<usize>>,
+    /// The boundary points of each hole, in either orientation. With `boundary` alone.
     #[serde(default, deserialize_with = "options::number_arrays")]
     #[tsify(optional, type = "Float64Array[]")]
     pub holes: Vec<Vec<f64>>,
@@ -138,7 +147,8 @@ impl Region {
     /// "invalid-outline" or "cusp"; of holes "holes-meet" or "hole-outside", and the message names which.
     #[wasm_bindgen(constructor)]
     pub fn new(options: Ts<RegionOptions>) -> Result<Self, Failure> {
-        let RegionOptions { boundary, curve, path, edges, holes, center, toward } = options::read(&options)?;
+        let RegionOptions { boundary, curve, path, edges, through, corners, holes, center, toward } =
+            options::read(&options)?;
         let given = |point: Option<Point>, name: &str| {
             point.ok_or_else(|| Failure::option(name, &format!("The option \"{name}\" is missing.")))
         };
@@ -147,12 +157,19 @@ impl Region {
             given(center, "center")?;
             given(toward, "toward")?;
         }
-        let drawn = match (boundary, path, edges) {
-            (Some(boundary), None, None) => Drawn::Points(points::from_flat("The boundary", &boundary)?),
-            (None, Some(path), None) => Drawn::Edges(plane::parse_path(&path)?),
-            (None, None, Some(edges)) => Drawn::Edges(edges_of(&edges)?),
+        if corners.is_some() && through.is_none() {
+            return Err(Failure::option("corners", "The option \"corners\" goes with \"through\" alone."));
+        }
+        let drawn = match (boundary, path, edges, through) {
+            (Some(boundary), None, None, None) => Drawn::Points(points::from_flat("The boundary", &boundary)?),
+            (None, Some(path), None, None) => Drawn::Edges(plane::parse_path(&path)?),
+            (None, None, Some(edges), None) => Drawn::Edges(edges_of(&edges)?),
+            (None, None, None, Some(through)) => {
+                let points = points::from_flat("The points", &through)?;
+                Drawn::Edges(plane::spline(&points, &corners.unwrap_or_default())?)
+            }
             _ => {
-                let message = "A region needs its boundary in one of the options \"boundary\", \"path\" and \"edges\".";
+                let message = "A region needs its boundary in one of the options \"boundary\", \"path\", \"edges\" and \"through\".";
                 return Err(Failure::option("boundary", message));
             }
         };
@@ -301,7 +318,7 @@ enum Drawn {
 }
 
 fn not_with_edges(option: &str) -> Failure {
-    let message = format!("The option \"{option}\" goes with \"boundary\" alone: not with \"path\" or \"edges\".");
+    let message = format!("The option \"{option}\" goes with \"boundary\" alone.");
     Failure::option(option, &message)
 }
 

@@ -104,6 +104,17 @@ test("curves are triangulated, and so are maps between them and polygons", () =>
   }
 });
 
+test("a curve goes through points, with the corners that are marked", () => {
+  const count = 60;
+  const through = new Float64Array(2 * count);
+  for (let k = 0; k < count; k++) through.set([Math.cos((Math.PI * k) / (count - 1)), Math.sin((Math.PI * k) / (count - 1))], 2 * k);
+  const { conformalRadius, errorEstimate } = RiemannMap.solve(new Region({ through, corners: [0, count - 1], ...above }), { tolerance: 1e-8 });
+  // What the spline leaves out of the half circle is no error of the map.
+  assert.ok(errorEstimate < 1e-8 && Math.abs(conformalRadius - 0.6) < 3e-7, String(conformalRadius - 0.6));
+  const circle = RiemannMap.solve(new Region({ through: through.map((value, k) => (k % 2 ? Math.sin : Math.cos)((2 * Math.PI * (k >> 1)) / count)), center: [0, 0], toward: [1, 0] }));
+  assert.ok(Math.abs(circle.conformalRadius - 1) < 1e-6);
+});
+
 test("what curves cannot be is refused in words", () => {
   const region = new Region({ path: halfDisk, ...above });
   const hole = new Float64Array([-0.1, 0.4, 0.1, 0.4, 0, 0.6]);
@@ -111,8 +122,10 @@ test("what curves cannot be is refused in words", () => {
   const refused = [
     ["invalid-option", /"holes" goes with "boundary" alone/, () => new Region({ path: halfDisk, holes: [hole], ...above })],
     ["invalid-option", /"curve" goes with "boundary" alone/, () => new Region({ path: halfDisk, curve: "smooth", ...above })],
-    ["invalid-option", /one of the options "boundary", "path" and "edges"/, () => new Region(above)],
-    ["invalid-option", /one of the options "boundary", "path" and "edges"/, () => new Region({ path: halfDisk, edges: [], ...above })],
+    ["invalid-option", /one of the options "boundary", "path", "edges" and "through"/, () => new Region(above)],
+    ["invalid-option", /"corners" goes with "through" alone/, () => new Region({ path: halfDisk, corners: [0], ...above })],
+    ["invalid-option", /indices of points/, () => new Region({ through: hole, corners: [3], ...above })],
+    ["invalid-option", /one of the options "boundary", "path", "edges" and "through"/, () => new Region({ path: halfDisk, edges: [], ...above })],
     ["invalid-option", /edges\[0\].*one of line, arc and bezier/, () => new Region({ edges: [{}], ...above })],
     ["invalid-option", /edges\[0\].*3 or 4 control points/, () => new Region({ edges: [{ bezier: [[0, 0], [1, 1]] }], ...above })],
     ["invalid-option", /edges\[0\]\.line.*an array of 2 points/, () => new Region({ edges: [/** @type {any} */ ({ line: [[0, 0]] })], ...above })],
