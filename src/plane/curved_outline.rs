@@ -34,6 +34,7 @@ impl CurvedOutline {
         if n == 0 {
             return Err(wrong("it has no edges".to_string()));
         }
+        let edges: &[Edge] = &edges.iter().map(straightened).collect::<Vec<_>>();
         if let Some(k) = edges.iter().position(Edge::overlaps_itself) {
             return Err(wrong(format!("edge {k} is an arc of more than a full turn")));
         }
@@ -143,6 +144,27 @@ impl CurvedOutline {
     pub fn place(&self, edge: usize, t: f64) -> BoundaryPoint {
         BoundaryPoint { edge, t, point: self.edges[edge].point(t) }
     }
+}
+
+/// Control points are on a line with the ends that leave it by no more than this share of it.
+const COLLINEAR: f64 = 1e-13;
+
+/// The line that a Bézier curve runs along without turning back, if it does: its parameter may stand still on the way, which a line's
+/// does not.
+fn straightened(edge: &Edge) -> Edge {
+    let inner = match edge {
+        Edge::Quadratic([a, b, c]) => [a + (b - a) * (2.0 / 3.0), c + (b - c) * (2.0 / 3.0)],
+        Edge::Cubic([_, b, c, _]) => [*b, *c],
+        Edge::Line { .. } | Edge::Arc(_) => return *edge,
+    };
+    let way = edge.to() - edge.from();
+    // Along the line from 0 to 1, and across it.
+    let [p, q] = inner.map(|control| (control - edge.from()) / way);
+    let speeds = [p.re, q.re - p.re, 1.0 - q.re];
+    let is_straight = p.im.abs() <= COLLINEAR && q.im.abs() <= COLLINEAR;
+    let goes_on =
+        speeds[0] >= 0.0 && speeds[2] >= 0.0 && speeds[1] >= -(speeds[0] * speeds[2]).sqrt() * (1.0 + COLLINEAR);
+    if is_straight && goes_on { Edge::line(edge.from(), edge.to()) } else { *edge }
 }
 
 fn wrong(reason: String) -> Error {
@@ -279,6 +301,30 @@ mod tests {
             through[0] = Edge::circular(at(0.0, 2.0 * gap), 1.0, PI, -PI);
             assert!(CurvedOutline::new(&through).is_err(), "{gap}");
         }
+    }
+
+    #[test]
+    fn curves_that_run_along_a_line_are_lines_unless_they_turn_back() {
+        let at = Complex64::new;
+        let [a, b] = [at(1.0, 2.0), at(4.0, 3.0)];
+        let mix = |t: f64| a + (b - a) * t;
+        let lines = [
+            Edge::Cubic([a, a, a, b]),
+            Edge::Cubic([a, b, b, b]),
+            // Its parameter stands still in the middle.
+            Edge::Cubic([a, b, a, b]),
+            Edge::Cubic([a, mix(0.2), mix(0.9), b]),
+            Edge::Quadratic([a, a, b]),
+            Edge::Quadratic([a, mix(0.7), b]),
+        ];
+        assert!(lines.iter().all(|edge| straightened(edge) == Edge::line(a, b)));
+        let curves = [
+            Edge::Cubic([a, mix(1.2), mix(-0.2), b]),
+            Edge::Quadratic([a, mix(1.1), b]),
+            Edge::Cubic([a, mix(0.3) + at(0.0, 1e-9), mix(0.6), b]),
+            Edge::Cubic([a, b, b, a]),
+        ];
+        assert!(curves.iter().all(|edge| straightened(edge) == *edge));
     }
 
     #[test]

@@ -177,7 +177,7 @@ impl SolvedRegion for SolvedEdges {
             Some(Leaf::Series(series)) => {
                 let (z, slope) = series.at(point.w);
                 let map = |z| self.inside(z);
-                self.solution.polished(point.w, (z, slope.inv()), self.series_error(), &map)
+                self.solution.polished(point.w, (z, slope.inv()), self.series_error(), &map)?
             }
             Some(Leaf::Near(sums)) => {
                 let cauchy = |w| tree.near(sums, w, &self.solution);

@@ -16,11 +16,11 @@ use std::sync::{Arc, OnceLock};
 /// A solved equation, with its evidence.
 #[derive(Clone, Debug)]
 pub struct CurvedSolution {
-    discretisation: Arc<CurvedDiscretisation>,
+    pub(super) discretisation: Arc<CurvedDiscretisation>,
     /// Ready for another center; of a stored solution, assembled when first asked for.
     system: OnceLock<Arc<System<CurvedDiscretisation>>>,
     /// In scaled units.
-    center: Complex64,
+    pub(super) center: Complex64,
     /// Mass at each node, as solved.
     pub masses: Vec<f64>,
     /// What quadratures need of them, panel by panel.
@@ -28,7 +28,7 @@ pub struct CurvedSolution {
     /// Legendre coefficients of dμ/dτ on [0, 1], p a panel.
     coefficients: Vec<f64>,
     /// Measure from vertex 0 to where each panel begins, and the whole.
-    starts: Vec<f64>,
+    pub(super) starts: Vec<f64>,
     /// For Cauchy's formula; made when first asked for.
     parts: OnceLock<Vec<Arc<CauchyPart>>>,
     smallest_mass: (f64, usize),
@@ -69,12 +69,6 @@ const WHOLE: f64 = 1e-12;
 const WHOLE_SHARE: f64 = 0.01;
 /// A panel's density goes on so far beyond it: Bernstein's ρ.
 const CONTINUED: f64 = 1.1;
-/// The same for the way back.
-const CONTINUED_BACK: f64 = 1.08;
-/// Rounding in points of the region (scaled units).
-const ROUNDING: f64 = 4e-15;
-/// The way back errs by no more than this share of the estimate.
-const POLISHED: f64 = 0.1;
 /// As far beside a corner, in parameters, its derivative is told.
 const BESIDE: f64 = 1e-14;
 /// Points as near to the curve as this are on it, in units of the region's size.
@@ -187,7 +181,7 @@ impl CurvedSolution {
         self.discretisation.boundary.unit
     }
 
-    fn panel(&self, q: usize) -> &Panel {
+    pub(super) fn panel(&self, q: usize) -> &Panel {
         &self.discretisation.panels[q].panel
     }
 
@@ -267,14 +261,14 @@ impl CurvedSolution {
     }
 
     /// Measure → panel and τ.
-    fn locate_on_panel(&self, measure: f64) -> (usize, f64) {
+    pub(super) fn locate_on_panel(&self, measure: f64) -> (usize, f64) {
         let measure = measure.rem_euclid(1.0);
         let q = (self.starts.partition_point(|&start| start <= measure).max(1) - 1).min(self.starts.len() - 2);
         (q, self.tau_of(q, measure))
     }
 
     /// Where a measure is reached on panel `q`, by Newton's method inside a bracket.
-    fn tau_of(&self, q: usize, measure: f64) -> f64 {
+    pub(super) fn tau_of(&self, q: usize, measure: f64) -> f64 {
         if self.starts[q + 1] == self.starts[q] {
             return 0.5;
         }
@@ -300,7 +294,7 @@ impl CurvedSolution {
     }
 
     /// Measure from vertex 0, continued to complex τ of panel `q`: 2π times it is −i log f beside the boundary.
-    fn complex_measure(&self, q: usize, tau: Complex64) -> Complex64 {
+    pub(super) fn complex_measure(&self, q: usize, tau: Complex64) -> Complex64 {
         let p = self.discretisation.order.p();
         let coefficients = &self.coefficients[q * p..][..p];
         let sum = complex_integral(coefficients, 2.0 * tau - 1.0);
@@ -308,7 +302,7 @@ impl CurvedSolution {
     }
 
     /// dμ/dτ, continued.
-    fn complex_density(&self, q: usize, tau: Complex64) -> Complex64 {
+    pub(super) fn complex_density(&self, q: usize, tau: Complex64) -> Complex64 {
         let p = self.discretisation.order.p();
         let coefficients = &self.coefficients[q * p..][..p];
         if tau.im == 0.0 {
@@ -381,7 +375,7 @@ impl CurvedSolution {
         Some(((z - self.center) * factor, factor * (1.0 - (z - self.center) * slope)))
     }
 
-    fn whole(&self) -> f64 {
+    pub(super) fn whole(&self) -> f64 {
         WHOLE.max(WHOLE_SHARE * self.error_estimate)
     }
 
@@ -393,7 +387,7 @@ impl CurvedSolution {
     }
 
     /// Derivative of the complex measure by z.
-    fn measure_slope(&self, q: usize, s: Complex64, tau: Complex64) -> Complex64 {
+    pub(super) fn measure_slope(&self, q: usize, s: Complex64, tau: Complex64) -> Complex64 {
         let panel = self.panel(q);
         let by_s = if panel.exponent == 1.0 {
             Complex64::from(1.0 / panel.length())
@@ -435,143 +429,6 @@ impl CurvedSolution {
             }
         }
         best
-    }
-
-    /// Disk (vertex 0 ↦ 1) → region, and the derivative of the way there, in scaled units; `None` where it is not found.
-    #[must_use]
-    pub fn from_disk(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
-        self.from_disk_by(w, &|w| curved_cauchy::from_disk(self, self.parts(), w), &|z| self.to_disk(z))
-    }
-
-    /// The same with Cauchy's formula as `cauchy` sums it up, and the way there by `map`.
-    #[must_use]
-    pub fn from_disk_by(&self, w: Complex64, cauchy: Cauchy, map: Map) -> Option<(Complex64, Complex64)> {
-        if let Some(found) = self.from_disk_beside(w) {
-            return Some(found);
-        }
-        match cauchy(w) {
-            Some((z, slope, one)) if (one - 1.0).norm() < self.whole() => {
-                Some(self.polished(w, (z, slope.inv()), 0.0, map))
-            }
-            _ => self.marched(w, map),
-        }
-    }
-
-    /// z and f'(z) where f(z) should be w, z being good to `error`: where the disk is wide against the region, that weighs more,
-    /// and a step of Newton's method takes it away.
-    #[must_use]
-    pub fn polished(
-        &self,
-        w: Complex64,
-        (z, slope): (Complex64, Complex64),
-        error: f64,
-        map: Map,
-    ) -> (Complex64, Complex64) {
-        if slope.norm() * (error + ROUNDING) < POLISHED * self.error_estimate {
-            return (z, slope);
-        }
-        map(z).map_or((z, slope), |(f, slope)| (z + (w - f) / slope, slope))
-    }
-
-    /// Beside the circle: the complex measure is inverted.
-    fn from_disk_beside(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
-        if w.norm_sqr() < 0.01 {
-            return None;
-        }
-        let measure = Complex64::new((w.arg() / TAU).rem_euclid(1.0), -w.norm().ln() / TAU);
-        let (q, foot) = self.locate_on_panel(measure.re);
-        let panel = self.panel(q);
-        let mut tau = Complex64::from(foot);
-        if panel.start == 0.0 {
-            // At a corner τ is about a power of the measure from there.
-            let corner = if panel.outgoing { self.starts[q] } else { self.starts[q + 1] };
-            let step = if panel.outgoing { measure - corner } else { corner - measure };
-            let size = step.norm();
-            if size > 0.0 && size < self.starts[q + 1] - self.starts[q] {
-                let power = panel.exponent * self.discretisation.boundary.arm(panel).power;
-                let real = self.tau_of(q, if panel.outgoing { corner + size } else { corner - size });
-                tau = Complex64::from_polar(real, step.arg() / power);
-            }
-        }
-        for _ in 0..20 {
-            let sign = if panel.outgoing { 1.0 } else { -1.0 };
-            let newton = (self.complex_measure(q, tau) - measure) / (self.complex_density(q, tau) * sign);
-            if !newton.is_finite() {
-                return None;
-            }
-            tau -= newton;
-            if bernstein(2.0 * tau - 1.0) > 1.3 {
-                return None;
-            }
-            if newton.norm() <= 1e-15 * tau.norm() {
-                break;
-            }
-        }
-        let miss = (self.complex_measure(q, tau) - measure).norm();
-        if bernstein(2.0 * tau - 1.0) > CONTINUED_BACK || miss.is_nan() || miss > 1e-15 {
-            return None;
-        }
-        let share = if panel.exponent == 1.0 { tau } else { tau.powf(panel.exponent) };
-        let s = panel.start + panel.length() * share;
-        let arm = self.discretisation.boundary.arm(panel);
-        let z = self.discretisation.boundary.vertices[panel.corner] + arm.curve.from_start(s);
-        Some((z, w * Complex64::i() * TAU * self.measure_slope(q, s, tau)))
-    }
-
-    /// Newton's method for f(z) = w, steps halved where they leave the region or do not help.
-    fn newton(w: Complex64, guess: Complex64, map: Map) -> Option<(Complex64, Complex64)> {
-        let mut z = guess;
-        let (f, mut slope) = map(z)?;
-        let mut miss = w - f;
-        for _ in 0..40 {
-            let step = miss / slope;
-            if !step.is_finite() {
-                return None;
-            }
-            let mut share = 1.0;
-            let moved = loop {
-                let there = z + step * share;
-                match map(there) {
-                    Some((f, slope)) if (w - f).norm() < miss.norm() => break Some((there, w - f, slope)),
-                    _ if share > 1e-4 => share *= 0.5,
-                    _ => break None,
-                }
-            };
-            let Some((there, left, there_slope)) = moved else {
-                // No better: rounding, or lost.
-                return (miss.norm() < 1e-13).then_some((z, slope));
-            };
-            (z, miss, slope) = (there, left, there_slope);
-            if miss.norm() < 1e-16 || step.norm() * share < 1e-16 {
-                return Some((z, slope));
-            }
-        }
-        (miss.norm() < 1e-12).then_some((z, slope))
-    }
-
-    /// From the center outwards along the radius, by steps as long as Newton's method bears.
-    fn marched(&self, w: Complex64, map: Map) -> Option<(Complex64, Complex64)> {
-        let (mut share, mut step) = (0.0, 0.5);
-        let mut z = self.center;
-        let (_, mut slope) = map(z)?;
-        for _ in 0..400 {
-            let next = f64::min(1.0, share + step);
-            let guess = z + w * (next - share) / slope;
-            match Self::newton(w * next, guess, map) {
-                Some((there, there_slope)) => {
-                    (z, slope, share) = (there, there_slope, next);
-                    if share == 1.0 {
-                        return Some((z, slope));
-                    }
-                    step *= 2.0;
-                }
-                None => step *= 0.5,
-            }
-            if step < 1e-12 {
-                return None;
-            }
-        }
-        None
     }
 }
 

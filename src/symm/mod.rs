@@ -39,6 +39,7 @@ pub(crate) mod correspondence;
 mod curved_boundary;
 pub(crate) mod curved_cauchy;
 mod curved_discretisation;
+mod curved_inverse;
 mod curved_kernel;
 pub(crate) mod curved_solution;
 pub(crate) mod curved_solve;

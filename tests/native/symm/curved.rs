@@ -287,22 +287,35 @@ fn the_way_back_from_a_polygon_of_any_angles() {
     assert!(error < 1e-12 && error <= map.error_estimate() + reference.error_estimate(), "{error:e}");
 }
 
-/// Control points that coincide make the parameter stand still at an end; the curve does not care.
+/// Control points that coincide make the parameter stand still at an end, or on the way; the curve does not care.
 #[test]
 fn parameters_may_stand_still() {
     let v = [c(-1.0, -1.0), c(1.0, -1.0), c(1.0, 1.0), c(-1.0, 1.0)];
     let edges = [
         Edge::Cubic([v[0], v[0], v[1], v[1]]),
         Edge::Quadratic([v[1], v[1], v[2]]),
-        Edge::Cubic([v[2], v[2], c(0.5, 1.0), v[3]]),
-        Edge::line(v[3], v[0]),
+        Edge::Cubic([v[2], v[3], v[2], v[3]]),
+        Edge::Cubic([v[3], v[3], v[3], v[0]]),
     ];
     let (map, square) = (solve(&region(&edges, ORIGIN), 1e-12), solve(&polygon(&v, ORIGIN), 1e-13));
     let points = spread_points(square.region(), 100);
     let (a, b) = (map.to_disk(&points), square.to_disk(&points));
     let error = largest(a.iter().zip(&b).map(|(a, b)| (a - b).norm()));
     assert!(error < 1e-12 && error <= map.error_estimate() + square.error_estimate(), "{error:e}");
-    let edges = [Edge::Cubic([v[0], v[0], v[0], v[1]]), edges[1], edges[2], edges[3]];
+    // On a curve, from both ends.
+    let bowed = [
+        Edge::Cubic([v[0], v[0], c(0.4, -1.6), v[1]]),
+        Edge::Cubic([v[1], c(1.5, 0.3), v[2], v[2]]),
+        edges[2],
+        edges[3],
+    ];
+    let (rough, fine) = (solve(&region(&bowed, ORIGIN), 1e-7), solve(&region(&bowed, ORIGIN), 1e-12));
+    let points = spread_points(fine.region(), 100);
+    let (a, b) = (rough.to_disk(&points), fine.to_disk(&points));
+    let error = largest(a.iter().zip(&b).map(|(a, b)| (a - b).norm()));
+    assert!(error <= rough.error_estimate() && fine.error_estimate() <= 1e-12, "{error:e}");
+    // So still that nobody can tell where it goes.
+    let edges = [Edge::Cubic([v[0], v[0] + c(0.0, 1e-11), v[0], v[1]]), edges[1], edges[2], edges[3]];
     let error = RiemannMap::solve(&region(&edges, ORIGIN), &SolveOptions::default(), &mut |_, _| true).unwrap_err();
     assert!(error.code() == "invalid-outline" && error.to_string().contains("edge 0"), "{error}");
 }

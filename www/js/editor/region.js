@@ -58,17 +58,15 @@ export function moveVertex(region, index, to) {
 /** A vertex more, on `edge` where it is nearest to `at`; the outline stays as it is. @param {Region} region @param {number} edge @param {Point} at @returns {Region} */
 export function splitEdge(region, edge, at) {
   const [a, b, curve] = edgeOf(region, edge);
-  const alone = { boundary: [a, b], curves: [curve, null] };
-  // The edge alone: what closes it is no place for the vertex.
-  const polygon = polygonOf(alone);
-  const line = polygon.slice(0, -1);
+  const line = polygonOf({ boundary: [a, b], curves: [curve, null] }).slice(0, -1);
+  // There and back again: the edge alone, closed without any other.
   const near = nearestOnBoundary([...line, b, ...line.slice(1).reverse()], at);
   const t = nearestShare(near, line.length);
   const { at: point, before, after } = splitAt(a, b, curve, t);
   return retie(region, outlineOf(region.boundary.toSpliced(edge + 1, 0, point), region.curves?.toSpliced(edge, 1, before, after)));
 }
 
-/** An edge keeps its middle away from its ends. */
+/** A new vertex keeps away from the ends of its edge. */
 const END = 1e-3;
 
 /** How far along a line that goes forth and back a place is. @param {{ edge: number, t: number }} place @param {number} chords */
