@@ -17,6 +17,7 @@ use std::sync::Arc;
 pub(super) struct CauchyTree {
     tree: LazyTree<FarAndNear, Leaf>,
     side: Side,
+    least_level: u32,
 }
 
 /// Series of what is far, and the parts that are not: also what a square hands on to its quarters.
@@ -51,6 +52,9 @@ const AWAY: f64 = 2.2;
 const MOST_NEAR: usize = 10;
 /// and the square is so small that few targets lie in squares at the boundary;
 const LEAST_LEVEL: u32 = 8;
+/// or less small where series may err by so much: rough maps are asked for few targets.
+const LEAST_LEVEL_ROUGHLY: u32 = 5;
+const ROUGHLY: f64 = 1e-8;
 /// but never smaller than this.
 const DEEPEST: u32 = 24;
 
@@ -65,7 +69,8 @@ impl CauchyTree {
             series: [vec![Complex64::ZERO; terms], vec![Complex64::ZERO; terms]],
         };
         let known = FarAndNear { far: Arc::new(far), near: parts.into() };
-        Self { tree: LazyTree::new(center, half, known), side }
+        let least_level = if tolerance > ROUGHLY { LEAST_LEVEL_ROUGHLY } else { LEAST_LEVEL };
+        Self { tree: LazyTree::new(center, half, known), side, least_level }
     }
 
     /// What is known where a target lies; `None` beyond all squares.
@@ -116,7 +121,7 @@ impl CauchyTree {
         if near.is_empty() {
             return Decision::Leaf(far.quotient().map_or(Leaf::Outside, Leaf::Series));
         }
-        let is_last = near.len() <= MOST_NEAR && square.level >= LEAST_LEVEL || square.level >= DEEPEST;
+        let is_last = near.len() <= MOST_NEAR && square.level >= self.least_level || square.level >= DEEPEST;
         let known = FarAndNear { far: Arc::new(far), near: near.into() };
         if is_last { Decision::Leaf(Leaf::Near(known)) } else { Decision::Split(known) }
     }

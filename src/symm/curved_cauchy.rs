@@ -123,8 +123,13 @@ const BEYOND_CORNER: f64 = 1.5;
 /// The panels as they are seen from far.
 #[must_use]
 pub fn parts(solution: &dyn Sampled, panels: usize) -> Vec<Arc<CauchyPart>> {
-    let gauss = GaussRule::new(NODES);
-    (0..panels).map(|q| Arc::new(CauchyPart::new(solution, &gauss, q, 0.0, 1.0))).collect()
+    (0..panels).map(|q| Arc::new(CauchyPart::new(solution, gauss(), q, 0.0, 1.0))).collect()
+}
+
+/// The rule of all parts.
+fn gauss() -> &'static GaussRule {
+    static RULE: OnceLock<GaussRule> = OnceLock::new();
+    RULE.get_or_init(|| GaussRule::new(NODES))
 }
 
 /// f(z) and f'(z) by parts.
@@ -209,10 +214,9 @@ impl CauchyPart {
     #[must_use]
     pub fn halves(&self, solution: &dyn Sampled) -> &[Arc<Self>; 2] {
         self.halves.get_or_init(|| {
-            let gauss = GaussRule::new(NODES);
             let middle = 0.5 * (self.from + self.to);
             [(self.from, middle), (middle, self.to)]
-                .map(|(from, to)| Arc::new(Self::new(solution, &gauss, self.q, from, to)))
+                .map(|(from, to)| Arc::new(Self::new(solution, gauss(), self.q, from, to)))
         })
     }
 
