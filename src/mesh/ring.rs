@@ -65,8 +65,9 @@ enum Origin {
 struct Candidate {
     angle: f64,
     origin: Origin,
-    /// How far it lies from its neighbours along the source, if it is there for the source to be seen as a curve.
-    step: f64,
+    /// How far it lies from its neighbours along the source, and along the target, if it is there for that to be seen as a curve;
+    /// infinite otherwise.
+    steps: [f64; 2],
     source: Place,
     target: Place,
 }
@@ -103,9 +104,8 @@ impl Ring {
     /// cannot place them one after the other.
     pub(super) fn new(map: &dyn Correspondence, spacing: f64, room: Room) -> Result<Self> {
         let outlines = map.copies().map(Outline::new);
-        let own_divisions = outlines[0].divisions(spacing, room.turn);
-        let own = candidates_of_source(map, &outlines, own_divisions);
-        let others = candidates_of_target(map, &outlines);
+        let own = candidates_of_source(map, &outlines, outlines[0].divisions(spacing, room.turn));
+        let others = candidates_of_target(map, &outlines, outlines[1].divisions(f64::INFINITY, room.turn));
         let reach = outlines[1].length() / outlines[0].length() * spacing;
         let mut list = merge(own, others, &outlines);
         unite_coincident(&mut list, COINCIDENT * spacing, COINCIDENT * reach);
@@ -129,7 +129,7 @@ fn candidates_of_source(
     let toward = Candidate {
         angle: 0.0,
         origin: Origin::Corner,
-        step: f64::INFINITY,
+        steps: [f64::INFINITY; 2],
         source: Place { point: source.toward(), distance: 0.0, fixed: true },
         target: Place { point: target.toward(), distance: 0.0, fixed: true },
     };
@@ -138,7 +138,7 @@ fn candidates_of_source(
         Candidate {
             angle,
             origin,
-            step,
+            steps: [step, f64::INFINITY],
             source: Place { point, distance: own.distance(point), fixed: origin == Origin::Corner },
             target: Place::image(map.boundary_forward(point), angle, other),
         }
@@ -153,21 +153,27 @@ fn candidates_of_source(
     list
 }
 
-/// The target's corners with their places on the source.
-fn candidates_of_target(map: &dyn Correspondence, [own, other]: &[Outline; 2]) -> Vec<Candidate> {
+/// The target's corners and divisions with their places on the source.
+fn candidates_of_target(
+    map: &dyn Correspondence,
+    [own, other]: &[Outline; 2],
+    divisions: Vec<(BoundaryPoint, f64)>,
+) -> Vec<Candidate> {
     let [_, target] = map.copies();
-    let carried = |point: BoundaryPoint| {
+    let carried = |(point, origin, step): (BoundaryPoint, Origin, f64)| {
         let angle = target.angle(point);
         Candidate {
             angle,
-            origin: Origin::Corner,
-            step: f64::INFINITY,
+            origin,
+            steps: [f64::INFINITY, step],
             source: Place::image(map.boundary_backward(point), angle, own),
-            target: Place { point, distance: other.distance(point), fixed: true },
+            target: Place { point, distance: other.distance(point), fixed: origin == Origin::Corner },
         }
     };
+    let corners = other.corners().into_iter().map(|point| (point, Origin::Corner, f64::INFINITY));
+    let divisions = divisions.into_iter().map(|(point, step)| (point, Origin::Division, step));
     let again = |c: &Candidate| c.target.point.point == target.toward().point;
-    let mut list: Vec<_> = other.corners().into_iter().map(carried).filter(|c| !again(c)).collect();
+    let mut list: Vec<_> = corners.chain(divisions).map(carried).filter(|c| !again(c)).collect();
     sort_by_number(&mut list, |candidate| candidate.target.distance);
     keep_order(&mut list);
     list
@@ -227,9 +233,17 @@ fn unite_coincident(list: &mut Vec<Candidate>, source_reach: f64, target_reach: 
 /// Drops divisions that are too close to a neighbour to be worth a node, in either copy.
 fn drop_crowded(list: &mut Vec<Candidate>, spacing: f64, target_gap: f64) {
     let close = |p: &Candidate, q: &Candidate| {
-        let step = p.step.min(q.step);
-        (p.source.point.point - q.source.point.point).norm() < CROWDED * spacing.min(step)
-            || step.is_infinite() && (p.target.point.point - q.target.point.point).norm() < target_gap
+        let [own, other] = [0, 1].map(|copy| p.steps[copy].min(q.steps[copy]));
+        let here = (p.source.point.point - q.source.point.point).norm() < CROWDED * spacing.min(own);
+        let gap = if other.is_finite() { CROWDED * other } else { target_gap };
+        let there = (p.target.point.point - q.target.point.point).norm() < gap;
+        // What is there for a curve is dropped where another stands in for it on that curve.
+        match (own.is_finite(), other.is_finite()) {
+            (false, false) => here || there,
+            (true, false) => here,
+            (false, true) => there,
+            (true, true) => here && there,
+        }
     };
     let mut kept: Vec<Candidate> = Vec::with_capacity(list.len());
     for &next in list.iter() {
@@ -260,7 +274,7 @@ fn grade(list: &mut Vec<Candidate>, map: &dyn Correspondence, [own, other]: &[Ou
         Candidate {
             angle,
             origin: Origin::Division,
-            step: f64::INFINITY,
+            steps: [f64::INFINITY; 2],
             source: Place::image(point, angle, own),
             target: Place::image(map.boundary_forward(point), angle, other),
         }
