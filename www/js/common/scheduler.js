@@ -52,6 +52,8 @@ export class Scheduler {
   #version = 0;
   /** The newest answer. */
   #seen = { version: 0, fine: false };
+  /** The newest state of which there is no picture. */
+  #refused = 0;
   /** @type {ReturnType<typeof setTimeout> | undefined} */ #rest;
   /** @type {ReturnType<typeof setTimeout> | undefined} */ #slow;
   #started = 0;
@@ -142,6 +144,7 @@ export class Scheduler {
     const current = this.#seen.version === this.#version;
     if (failure.version !== this.#version || (current && (this.#seen.fine || !fine))) return;
     if (fine) this.#settle();
+    if (!current) this.#refused = failure.version;
     const words = this.#listener.failureWords(failure, current ? "draft" : this.#seen.version ? "older" : "nothing");
     this.#enter(current ? "ready" : "invalid", words);
   }
@@ -154,7 +157,8 @@ export class Scheduler {
     const done = last && version === this.#version;
     if (done) this.#settle();
     this.#listener.onResult(result, done);
-    this.#enter(done ? "ready" : "draft", "");
+    // A picture of an earlier state may come after the newest one was refused: why it was is still to be read.
+    if (version === this.#version || this.#refused !== this.#version) this.#enter(done ? "ready" : "draft", "");
   }
 
   /** Says that something is under way, once it takes long. */
