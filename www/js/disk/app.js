@@ -78,11 +78,11 @@ const pen = new Pen({
   view: photoView,
   isActive: () => store.mode === "draw",
   onMode: (drawing) => store.setMode(drawing ? "draw" : "edit"),
-  onOutline: (outline) => store.commit({ region: makeRegion(outline) }),
-  onStroke: (outline) => store.commit({ region: makeRegion(outline) }),
+  onOutline: (boundary) => useOutline({ boundary }),
+  onStroke: useOutline,
 });
 /** Where outlines go. */
-const onPhoto = { photo: () => picture.frame, use: (/** @type {import("../editor/outline.js").Outline} */ outline) => replaceRegion(makeRegion(outline)) };
+const onPhoto = { photo: () => picture.frame, use: useOutline };
 const outlines = new OutlineReader({ parse: (text) => scheduler.ask({ what: "outline", text }), ...onPhoto });
 const askForLetter = letterDialog(onPhoto);
 offerEdges(element("choose-edge"), [{ store, editor, view: photoView }]);
@@ -173,6 +173,11 @@ function openPicture(loading) {
     picture = loaded;
     store.commit({ image: picture.id, region: defaultRegion(picture) });
   });
+}
+
+/** @param {import("../editor/outline.js").Outline} outline */
+function useOutline(outline) {
+  replaceRegion(makeRegion(outline));
 }
 
 /** A drawing that is under way ends there. @param {import("../editor/region.js").Region} region */

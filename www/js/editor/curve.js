@@ -1,6 +1,6 @@
 // One edge of an outline, from a to b: a straight line, a Bézier curve, or an arc of a circle or an ellipse.
 
-import { mix } from "./geometry.js";
+import { mix, plus } from "./geometry.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** Two control points. @typedef {{ kind: "curve", first: Point, second: Point }} Bezier */
@@ -14,9 +14,6 @@ const FLAT = 1e-4;
 const FULLEST = 40;
 /** An arc that a line is made: a sixth of its length high, outwards. */
 const FIRST_BULGE = 1 / 3;
-
-/** @param {Point} p @param {Point} q @param {number} [times] @returns {Point} */
-const plus = (p, q, times = 1) => [p[0] + times * q[0], p[1] + times * q[1]];
 
 /** p turned by a right angle to the left. @param {Point} p @returns {Point} */
 const left = ([x, y]) => [-y, x];

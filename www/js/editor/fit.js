@@ -1,6 +1,7 @@
 // A closed line that a hand drew → few curves near it: Schneider's algorithm (Graphics Gems, 1990) between the corners that were drawn.
 
-import { distance } from "./geometry.js";
+import { pointOn } from "./curve.js";
+import { distance, plus } from "./geometry.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./curve.js").Bezier} Bezier */
@@ -11,8 +12,6 @@ const CORNER = Math.cos((50 * Math.PI) / 180);
 /** Times that parameters are moved to where the curve is nearest. */
 const ROUNDS = 6;
 
-/** @param {Point} p @param {Point} q @param {number} [times] @returns {Point} */
-const plus = (p, q, times = 1) => [p[0] + times * q[0], p[1] + times * q[1]];
 /** @param {Point} p @param {Point} q */
 const dot = (p, q) => p[0] * q[0] + p[1] * q[1];
 /** @param {Point} from @param {Point} to @returns {Point} the direction */
@@ -148,11 +147,7 @@ function bestCubic(part, times, from, to) {
 }
 
 /** @param {Cubic} cubic @param {number} t @returns {Point} */
-function at([a, p, q, b], t) {
-  const s = 1 - t;
-  const [b0, b1, b2, b3] = [s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t];
-  return [b0 * a[0] + b1 * p[0] + b2 * q[0] + b3 * b[0], b0 * a[1] + b1 * p[1] + b2 * q[1] + b3 * b[1]];
-}
+const at = ([a, first, second, b], t) => pointOn(a, b, { kind: "curve", first, second }, t);
 
 /** The inner point of the line that is farthest from the curve. @param {Point[]} part @param {number[]} times @param {Cubic} cubic */
 function farthest(part, times, cubic) {

@@ -9,6 +9,9 @@ export const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
 /** The point at share t of the way from a to b. @param {Point} a @param {Point} b @param {number} t @returns {Point} */
 export const mix = (a, b, t) => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t];
 
+/** p, and so many times q more. @param {Point} p @param {Point} q @param {number} [times] @returns {Point} */
+export const plus = (p, q, times = 1) => [p[0] + times * q[0], p[1] + times * q[1]];
+
 /** Twice the signed area of the triangle a b c. @param {Point} a @param {Point} b @param {Point} c */
 const turn = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 

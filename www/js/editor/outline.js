@@ -8,26 +8,22 @@ import { area } from "./geometry.js";
 /** Edge k runs from point k to the next one; `curves` is left out where all are straight. @typedef {{ boundary: Point[], curves?: Curve[] }} Outline */
 /** A polygon, and where its corners lie on the outline: edge and parameter. @typedef {{ polygon: Point[], places: [edge: number, t: number][] | null }} Traced */
 
-/** @type {WeakMap<Outline, Traced>} */
+/** By their curves: another vector leaves an outline as it is. @type {WeakMap<Curve[], { boundary: Point[], trace: Traced }>} */
 const known = new WeakMap();
 
 /** The polygon that an outline looks like. @param {Outline} outline @returns {Traced} */
 export function traced(outline) {
-  const before = known.get(outline);
-  if (before) return before;
   const { boundary, curves } = outline;
-  /** @type {Traced} */
-  const trace = { polygon: boundary, places: null };
-  if (curves) {
-    const places = boundary.flatMap((_, edge) => {
-      const [a, b, curve] = edgeOf(outline, edge);
-      const chords = chordsOf(a, b, curve);
-      return Array.from({ length: chords }, (_, k) => /** @type {[number, number]} */ ([edge, k / chords]));
-    });
-    trace.polygon = places.map(([edge, t]) => pointOn(...edgeOf(outline, edge), t));
-    trace.places = places;
-  }
-  known.set(outline, trace);
+  if (!curves) return { polygon: boundary, places: null };
+  const before = known.get(curves);
+  if (before?.boundary === boundary) return before.trace;
+  const places = boundary.flatMap((_, edge) => {
+    const [a, b, curve] = edgeOf(outline, edge);
+    const chords = chordsOf(a, b, curve);
+    return Array.from({ length: chords }, (_, k) => /** @type {[number, number]} */ ([edge, k / chords]));
+  });
+  const trace = { polygon: places.map(([edge, t]) => pointOn(...edgeOf(outline, edge), t)), places };
+  known.set(curves, { boundary, trace });
   return trace;
 }
 

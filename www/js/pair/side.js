@@ -42,8 +42,8 @@ export class Side {
       view: this.view,
       isActive: () => store.mode === "draw",
       onMode: (drawing) => store.setMode(drawing ? "draw" : "edit"),
-      onOutline: (outline) => store.commit({ region: makeRegion(outline) }),
-      onStroke: (outline) => store.commit({ region: makeRegion(outline) }),
+      onOutline: (boundary) => this.useOutline({ boundary }),
+      onStroke: (outline) => this.useOutline(outline),
     });
     this.#photo = new PhotoChoice(/** @type {HTMLSelectElement} */ (this.#find("choose-photo")), (id) => this.#open(loadPicture(id)));
     this.#connect((kind) => wishOutline(this, kind));
