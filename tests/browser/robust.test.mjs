@@ -189,6 +189,31 @@ test("cortex: a blind spot outside V1 stops nothing else; what is saved is what 
   await close();
 });
 
+for (const name of ["", "formula.html", "cortex.html"]) {
+  test(`${name || "index.html"}: of two photos the one that was chosen last is shown, though the other comes later`, async () => {
+    const { page, errors, close } = await openPage(session, name);
+    /** @type {(value?: unknown) => void} */
+    let send = () => {};
+    const sent = new Promise((resolve) => (send = resolve));
+    await page.route(/coffee\.jpg/, async (route) => {
+      await sent;
+      await route.continue();
+    });
+    await page.locator("#choose-photo").selectOption("coffee");
+    await page.locator('body[aria-busy="true"]').waitFor();
+    const arrived = page.waitForResponse(/coffee\.jpg/);
+    await page.locator("#choose-photo").selectOption("chelsea");
+    await page.waitForFunction(() => location.hash.includes("image=chelsea"));
+    send();
+    await arrived;
+    await settled(page, "ready");
+    await chosenPhoto(page, "Cat");
+    assert.match(await hash(page), /image=chelsea/);
+    assert.deepEqual(errors, []);
+    await close();
+  });
+}
+
 test("cortex: an outline that crosses itself is refused, a reload is not empty", async () => {
   const { page, errors, close } = await openPage(session, "cortex.html#beside=own&own=0,0,40,20,40,-20,0,20");
   await page.locator(".refused").waitFor();

@@ -53,7 +53,7 @@ export async function openPage({ browser, url }, hash = "", options = {}) {
  */
 export async function chosenPhoto(page, name) {
   await page.waitForFunction(
-    (name) => document.querySelector("#choose-photo option:checked")?.textContent === name,
+    (name) => document.querySelector("#choose-photo option:checked")?.textContent === name && document.body.ariaBusy !== "true",
     name,
   );
 }
@@ -65,9 +65,9 @@ export async function openQuarters(page) {
   await settled(page, "ready");
 }
 
-/** Waits for a state of the page. @param {Page} page @param {string} state */
+/** Waits for a state of the page, and for photos that are being loaded. @param {Page} page @param {string} state */
 export async function settled(page, state) {
-  await page.waitForFunction((wanted) => document.body.dataset.state === wanted, state);
+  await page.waitForFunction((wanted) => document.body.dataset.state === wanted && document.body.ariaBusy !== "true", state);
 }
 
 /** Switches what is shown over the pictures, by the menu under Show. @param {Page} page @param {string} name */

@@ -2,6 +2,7 @@
 
 import { loadPicture, standIn } from "./images.js";
 
+/** @typedef {import("./images.js").Picture} Picture */
 /** @typedef {import("./scheduler.js").State} State */
 
 /** @template {HTMLElement | SVGSVGElement} E @param {string} id @returns {E} */
@@ -71,11 +72,36 @@ export async function attempt(work, use) {
 }
 
 /** A picture by id; where it cannot be had the page says so, and something stands in for it. @param {string} id */
-export async function pictureFor(id) {
-  return loadPicture(id).catch((error) => {
-    remark(wordsOf(error));
-    return standIn(id);
-  });
+export function pictureFor(id) {
+  return awaited(
+    loadPicture(id).catch((error) => {
+      remark(wordsOf(error));
+      return standIn(id);
+    }),
+  );
+}
+
+/** For pictures of one place: of several that are asked for the last one is shown, however long the others take. */
+export class PhotoOpener {
+  #asked = 0;
+
+  /** Waits for a picture that a visitor asked for, as attempt does. @param {Promise<Picture>} loading @param {(picture: Picture) => void} use */
+  open(loading, use) {
+    const mine = ++this.#asked;
+    return attempt(awaited(loading), (picture) => mine === this.#asked && use(picture));
+  }
+}
+
+let waiting = 0;
+
+/** Says by the page's element that something is waited for: to those who see, those who hear, and tests. @template T @param {Promise<T>} work @returns {Promise<T>} */
+async function awaited(work) {
+  document.body.ariaBusy = String(++waiting > 0);
+  try {
+    return await work;
+  } finally {
+    document.body.ariaBusy = String(--waiting > 0);
+  }
 }
 
 /** Puts the place for remarks on the page, and makes sure that no error is silent. */

@@ -8,7 +8,7 @@ import { toPlane } from "../common/frame.js";
 import { History } from "../common/history.js";
 import { addPicture, loadPicture } from "../common/images.js";
 import { ARROWS, onEscape, onUndoKeys } from "../common/keys.js";
-import { attempt, element, pictureFor, press, remark, statusOfPage, watchErrors } from "../common/page.js";
+import { attempt, element, PhotoOpener, pictureFor, press, remark, statusOfPage, watchErrors } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
 import { Probe } from "../common/probe.js";
 import { offerToSave } from "../common/save-menu.js";
@@ -43,6 +43,7 @@ remark(wrongWords(first.wrong));
 const store = new History(first.state);
 /** @type {Picture} */
 let picture = await pictureFor(store.value.image);
+const photos = new PhotoOpener();
 /** What is seen at the moment, if that is the camera. @type {Camera | null} */
 let camera = null;
 /** The last result, and the newest state that could be drawn altogether. @type {Result | null} */
@@ -234,7 +235,11 @@ function connect() {
 async function onChange(change) {
   unread = visiting;
   const { image } = store.value;
-  if (!camera && picture.id !== image) picture = await pictureFor(image);
+  if (!camera && picture.id !== image) {
+    const found = await pictureFor(image);
+    if (camera || store.value.image !== image) return; // A newer change is being followed.
+    picture = found;
+  }
   refresh(change === "drag");
 }
 
@@ -304,7 +309,7 @@ const firstGaze = (image) => (image === USUAL.image ? USUAL.fixation : [0, 0]);
 
 /** @param {Promise<Picture>} loading */
 function open(loading) {
-  return attempt(loading, (opened) => {
+  return photos.open(loading, (opened) => {
     closeCamera();
     picture = opened;
     store.commit({ image: picture.id, fixation: firstGaze(picture.id) });

@@ -6,7 +6,7 @@ import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
 import { onGrid } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
-import { attempt, element, pictureFor, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
+import { element, PhotoOpener, pictureFor, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
 import { playButton } from "../common/player.js";
 import { Probe } from "../common/probe.js";
 import { probeRow } from "../common/probe-menu.js";
@@ -49,6 +49,7 @@ const DIM = 0.42;
 watchErrors();
 /** @type {Picture} */
 let picture;
+const photos = new PhotoOpener();
 /** The last good picture of the disk. @type {Outcome | null} */
 let outcome = null;
 /** The picture that the panels have the shape of. @type {Picture | null} */
@@ -168,7 +169,7 @@ async function read(hash) {
 
 /** @param {Promise<Picture>} loading */
 function openPicture(loading) {
-  return attempt(loading, (loaded) => {
+  return photos.open(loading, (loaded) => {
     pen.cancel();
     picture = loaded;
     store.commit({ image: picture.id, region: defaultRegion(picture) });
@@ -188,7 +189,12 @@ function replaceRegion(region) {
 
 /** @param {import("../common/history.js").Change} change */
 async function onChange(change) {
-  if (picture.id !== store.doc.image) picture = await pictureFor(store.doc.image);
+  const { image } = store.doc;
+  if (picture.id !== image) {
+    const found = await pictureFor(image);
+    if (store.doc.image !== image) return; // A newer change is being followed.
+    picture = found;
+  }
   // A slider is moved, or plays: more is to come.
   const sliding = change === "view" && SLID.some((name) => store.shown[name] !== last[name]);
   last = store.shown;

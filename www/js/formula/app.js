@@ -7,7 +7,7 @@ import { acceptFiles } from "../common/files.js";
 import { onGrid } from "../common/frame.js";
 import { addPicture } from "../common/images.js";
 import { Lane } from "../common/lane.js";
-import { attempt, element, remark, statusOfPage, watchErrors, wordsOf } from "../common/page.js";
+import { element, PhotoOpener, remark, statusOfPage, watchErrors, wordsOf } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
 import { PlaneView } from "../common/plane-view.js";
 import { Probe, readingWords } from "../common/probe.js";
@@ -64,6 +64,7 @@ const usual = fromPreset(/** @type {Preset} */ (presets.find(({ name }) => name 
 let state = usual;
 /** @type {Picture} */
 let picture;
+const photos = new PhotoOpener();
 /** What was found out about the formula that is drawn. @type {Compiled} */
 let compiled;
 /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -261,7 +262,7 @@ async function typed(text) {
 
 /** @param {Promise<Picture>} loading */
 function open(loading) {
-  return attempt(loading, (opened) => {
+  return photos.open(loading, (opened) => {
     picture = opened;
     change({ image: opened.id });
   });

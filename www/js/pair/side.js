@@ -3,7 +3,7 @@
 import { deviceGrid } from "../common/canvas.js";
 import { onGrid } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
-import { attempt, element, pictureFor } from "../common/page.js";
+import { element, PhotoOpener, pictureFor } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
 import { Editor } from "../editor/edit.js";
 import { Pen } from "../editor/pen.js";
@@ -22,6 +22,7 @@ export class Side {
   editor;
   /** @type {Picture} */ picture;
   #pen;
+  #photos = new PhotoOpener();
   #photo;
   /** @type {(name: string) => HTMLElement} */ #find;
 
@@ -64,7 +65,7 @@ export class Side {
 
   /** @param {Promise<Picture>} loading */
   #open(loading) {
-    return attempt(loading, (picture) => {
+    return this.#photos.open(loading, (picture) => {
       this.#pen.cancel();
       this.picture = picture;
       this.store.commit({ image: picture.id, region: defaultRegion(picture) });
@@ -73,7 +74,10 @@ export class Side {
 
   /** Loads the picture that the document names, where that has changed. */
   async follow() {
-    if (this.picture.id !== this.store.doc.image) this.picture = await pictureFor(this.store.doc.image);
+    const { image } = this.store.doc;
+    if (this.picture.id === image) return;
+    const found = await pictureFor(image);
+    if (this.store.doc.image === image) this.picture = found;
   }
 
   /** The region as a job carries it. */
