@@ -16,12 +16,15 @@ import { probeRow } from "../common/probe-menu.js";
 import { offerToSave } from "../common/save-menu.js";
 import { playButton } from "../common/player.js";
 import { Scheduler } from "../common/scheduler.js";
+import { cutAt, formulaWithCut, isTurned, PRINCIPAL } from "./cut.js";
+import { CutHandle } from "./cut-handle.js";
+import { dilatationWords, placeWords } from "./dilatation.js";
 import { showGallery } from "./gallery.js";
 import { morphed } from "./morph.js";
 import { showParams } from "./params.js";
 import { PictureHandles } from "./picture-handles.js";
 import { lattice, loadSquare } from "./square.js";
-import { decode, encode, fromPreset } from "./state.js";
+import { decode, encode, fromPreset, SHEETS } from "./state.js";
 
 /** @typedef {import("./state.js").State} State */
 /** @typedef {import("./pipeline.js").Job} Job */
@@ -71,14 +74,19 @@ let compiled;
 let resting;
 /** Counts what was typed: words about an older text are late. */
 let typings = 0;
+/** Counts what was read under the pointer, and where that was, in the plane on which the formula is evaluated. */
+let readings = 0;
+/** @type {import("../common/frame.js").Point | null} */
+let pointed = null;
+/** Whether it is looked where the cuts are, and whether they have moved since. */
+const seeking = { now: false, again: false };
 
 const source = new PlaneView(element("source"), element("source-marks"), (around) => change({ around }), () => surroundings());
 const target = new PlaneView(element("target"), element("target-marks"), (view) => change({ view }), () => HOME);
 /** @type {Scheduler<Job, Result>} */
 const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWords: ({ message }) => message }, 1);
-const probe = new Probe(source, target, () => ({ carry }), (reading) => {
-  element("reading").textContent = reading ? readingWords(reading, "picture") : "Point at either picture: marks show what belongs together.";
-});
+const probe = new Probe(source, target, () => ({ carry }), read);
+const cutHandle = new CutHandle({ cut: () => state.cut, onTurn: turnCut, angleAt: (which, at) => reader.ask({ what: "angle", ...typedIn(state), cut: state.cut, which, at }) });
 const handles = new PictureHandles(source, () => state.texture, (texture) => change({ texture, around: state.around ?? surroundings() }));
 const photoChoice = new PhotoChoice(element("choose-photo"), (image) => open(loadSquare(image)), [["lattice", "Lattice"]]);
 
@@ -115,6 +123,17 @@ function compiledBy(text, params) {
   return certain(() => reader.ask({ what: "compile", text, params }));
 }
 
+/** What is drawn, of what was typed: with its cuts where they were turned, and on the way there. */
+function written() {
+  const { formula, params, cut, morph } = state;
+  return morphed(formulaWithCut(formula, Object.keys(params), cut), morph);
+}
+
+/** @param {State} state */
+function typedIn({ formula, params }) {
+  return { formula, params };
+}
+
 /** @param {State} next @param {Compiled} found */
 function adopt(next, found) {
   state = next;
@@ -142,6 +161,7 @@ function show(remembering) {
   source.outline(state.texture);
   handles.draw();
   target.look(state.view);
+  showCuts();
   updateControls();
   scheduler.run(jobOf, picture, true);
   clearTimeout(resting);
@@ -155,9 +175,9 @@ function surroundings() {
 
 /** @param {import("../common/scheduler.js").Care} care @returns {Omit<Job, "version" | "fine">} */
 function jobOf({ sharpness }) {
-  const { formula, params, direction, wrap, colours, lines, density, morph, texture } = state;
+  const { params, direction, wrap, colours, lines, density, texture } = state;
   const placed = { ...texture, pixels: picture.frame.pixels };
-  return { formula: morphed(formula, morph), params, direction, wrap, colours, lines, density, texture: placed, source: source.view(sharpness), target: target.view(sharpness) };
+  return { formula: written(), params, direction, wrap, colours, lines, density, texture: placed, source: source.view(sharpness), target: target.view(sharpness) };
 }
 
 /** How fast what is played moves. */
@@ -167,12 +187,51 @@ function speed() {
 
 /** Points as the map takes them from the plane on which it is evaluated to the other; back, to one of the points that it takes there. @param {import("../common/probe.js").Side} side @param {import("../common/frame.js").Point[]} points */
 function carry(side, points) {
-  const { params, direction, morph, view } = state;
-  const formula = morphed(state.formula, morph);
-  const pulling = direction === "pull-back";
-  if (side === (pulling ? "target" : "source")) return scheduler.ask({ what: "points", formula, params, points });
-  const { center, width } = pulling ? view : source.frame;
-  return scheduler.ask({ what: "back", formula, params, points, within: { center, width } });
+  const typed = { formula: written(), params: state.params };
+  const home = domain();
+  if (side === (home === target ? "target" : "source")) {
+    pointed = points[0];
+    return scheduler.ask({ what: "points", ...typed, points });
+  }
+  const { center, width } = home.frame;
+  return scheduler.ask({ what: "back", ...typed, points, within: { center, width } }).then((found) => {
+    pointed = found?.[0] ?? null;
+    return found;
+  });
+}
+
+/** The panel with the plane on which the formula is evaluated. */
+function domain() {
+  return state.direction === "pull-back" ? target : source;
+}
+
+/** What the map does under the pointer; where it bends angles, both its dilatations. @param {import("../common/probe.js").Reading | null} reading */
+async function read(reading) {
+  const at = ++readings;
+  const words = reading ? readingWords(reading, "picture") : "Point at either picture: marks show what belongs together.";
+  if (!reading || !pointed || compiled.analytic) return void (element("reading").textContent = words);
+  const found = await scheduler.ask({ what: "slopes", formula: written(), params: state.params, at: pointed });
+  if (at === readings) element("reading").textContent = found ? placeWords(found) || words : words;
+}
+
+/** The cuts, once they are known; the newest view waits while an older one is looked at. */
+async function showCuts() {
+  cutHandle.draw();
+  seeking.again = seeking.now;
+  if (seeking.now) return;
+  seeking.now = true;
+  const view = domain();
+  const { center, width } = view.frame;
+  const lines = compiled.branching ? await reader.ask({ what: "cuts", ...typedIn(state), cut: state.cut, within: { center, width } }) : [];
+  seeking.now = false;
+  if (lines && view === domain()) cutHandle.show(view, compiled.branching ? lines : []);
+  if (seeking.again) showCuts();
+}
+
+/** Turns the cut: over a whole turn it comes to the next sheet. @param {number} turn in degrees */
+function turnCut(turn) {
+  const cut = cutAt(Math.round(10 * turn) / 10);
+  if (Math.abs(cut.sheet) <= SHEETS) change({ cut });
 }
 
 /** @param {Result} result @param {boolean} done */
@@ -180,10 +239,11 @@ function onResult(result, done) {
   source.paint(result.sourcePixels, result.source);
   target.paint(result.targetPixels, result.target);
   probe.refresh();
-  const kind = compiled.analytic ? "Analytic: angles are kept." : "Not analytic: angles are bent.";
+  const kind = result.dilatation ? dilatationWords(result.dilatation) : "Analytic: angles are kept.";
+  const cut = compiled.branching && isTurned(state.cut) ? ` Logarithms, roots and powers have their cut at ${Math.round(state.cut.angle)}°, on sheet ${state.cut.sheet}.`.replace("-", "−").replace("sheet -", "sheet −") : "";
   const time = result.warpMs < 1000 ? `${Math.max(1, Math.round(result.warpMs))} ms` : `${(result.warpMs / 1000).toFixed(1)} s`;
   const way = state.morph === 1 ? "" : ` On the way: h(z) = (1 − s) z + s f(z), with s = ${state.morph.toFixed(2)}.`;
-  element("evidence").textContent = `${kind}${way} ${done ? `Drawn in ${time}${state.colours === "picture" ? ", four samples a pixel" : ""}.` : "This is a coarse picture."}`;
+  element("evidence").textContent = `${kind}${cut}${way} ${done ? `Drawn in ${time}${state.colours === "picture" ? ", four samples a pixel" : ""}.` : "This is a coarse picture."}`;
 }
 
 function connectControls() {
@@ -201,6 +261,13 @@ function connectControls() {
     const slider = /** @type {HTMLInputElement} */ (element(name));
     slider.oninput = () => change({ [name]: Number(slider.value) });
   }
+  const angle = /** @type {HTMLInputElement} */ (element("cut-angle"));
+  angle.oninput = () => change({ cut: { ...state.cut, angle: Number(angle.value) } });
+  const sheet = /** @type {HTMLInputElement} */ (element("sheet"));
+  sheet.oninput = () => {
+    const number = Math.round(Number(sheet.value));
+    if (sheet.value !== "" && Math.abs(number) <= SHEETS) change({ cut: { ...state.cut, sheet: number } });
+  };
   element("morph").after(playButton("the way from z to f(z)", (seconds) => {
     const morph = Math.min(1, (state.morph === 1 ? 0 : state.morph) + (speed() * seconds) / WAY);
     change({ morph });
@@ -234,6 +301,7 @@ function updateControls() {
   photoChoice.show(picture);
   for (const name of SELECTS) /** @type {HTMLSelectElement} */ (element(name)).value = state[name];
   for (const name of RANGES) /** @type {HTMLInputElement} */ (element(name)).value = String(state[name]);
+  showCutControls();
   const photo = state.colours === "picture";
   element("panels").dataset.colours = photo ? "picture" : "values";
   CAPTIONS[photo ? "picture" : state.direction].forEach(([strong, rest], k) => {
@@ -243,6 +311,16 @@ function updateControls() {
   showParams(element("params"), state.params, (name, value) => change({ params: { ...state.params, [name]: value } }), speed);
   const preset = presets.find(({ formula, direction, view }) => formula === state.formula && direction === state.direction && view.width === state.view.width);
   element("shows").textContent = preset?.shows ?? "";
+}
+
+/** Only formulas that have cuts have controls for them. */
+function showCutControls() {
+  const { angle, sheet } = state.cut;
+  /** @type {HTMLElement} */ (element("cut")).hidden = !compiled.branching;
+  /** @type {HTMLInputElement} */ (element("cut-angle")).value = String(angle);
+  element("cut-value").textContent = `${String(Math.round(angle)).replace("-", "−")}°`;
+  const number = /** @type {HTMLInputElement} */ (element("sheet"));
+  if (number.value === "" ? document.activeElement !== number : Number(number.value) !== sheet) number.value = String(sheet);
 }
 
 /** @param {string} text */
@@ -256,7 +334,7 @@ async function typed(text) {
     return statusOfPage.onState(scheduler.state);
   }
   complain("", null);
-  adopt({ ...state, formula: text, params: found.params }, found);
+  adopt({ ...state, formula: text, params: found.params, cut: found.branching ? state.cut : PRINCIPAL }, found);
   show(true);
 }
 

@@ -1,6 +1,7 @@
 // Where a formula takes a given value: Newton's method from the best of many places, and from there along a figure.
 
 import { flatten } from "../common/frame.js";
+import { slopes, solved } from "./dilatation.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../common/placement.js").Placement} Placement */
@@ -26,19 +27,18 @@ export function preimage(map, points, { center, width }) {
     center[1] + width * ((Math.floor(k / SIDE) + 0.5) / SIDE - 0.5),
   ]));
   const flat = flatten(places);
-  const [values, slopes] = [map.eval(flat), map.derivative(flat)];
+  const [values, rises] = [map.eval(flat), slopes(map, flat)];
   // How far the root is by one step of Newton's: a small value of f' makes a small difference worth nothing.
-  const steps = places.map((_, k) => Math.hypot(values[2 * k] - wanted[0], values[2 * k + 1] - wanted[1]) / Math.hypot(slopes[2 * k], slopes[2 * k + 1]));
+  const steps = places.map((_, k) => Math.hypot(...solved(rises, k, values[2 * k] - wanted[0], values[2 * k + 1] - wanted[1])));
   const seeds = places.map((place, k) => ({ place, step: steps[k] })).filter(({ step }) => step < width).sort((a, b) => a.step - b.step).slice(0, SEEDS);
   const away = ([x, y] = /** @type {Point} */ ([0, 0])) => Math.max(Math.abs(x - center[0]), Math.abs(y - center[1]));
   const roots = newton(map, seeds.map(({ place }) => place), seeds.map(() => wanted)).filter((root) => root && away(root) <= width / 2);
   const [root] = roots.sort((a, b) => away(a ?? undefined) - away(b ?? undefined));
   if (!root) return none;
-  const [a, b] = map.derivative(flatten([root]));
-  const size = a * a + b * b;
+  const rise = slopes(map, flatten([root]));
   const starts = near.map(([x, y]) => {
-    const [u, v] = [x - wanted[0], y - wanted[1]];
-    return /** @type {Point} */ ([root[0] + (u * a + v * b) / size, root[1] + (v * a - u * b) / size]);
+    const [u, v] = solved(rise, 0, x - wanted[0], y - wanted[1]);
+    return /** @type {Point} */ ([root[0] + u, root[1] + v]);
   });
   return [root, ...newton(map, starts, near)];
 }
@@ -48,12 +48,11 @@ function newton(map, from, wanted) {
   if (!from.length) return [];
   const at = flatten(from);
   for (let step = 0; step < STEPS; step++) {
-    const [values, slopes] = [map.eval(at), map.derivative(at)];
+    const [values, rises] = [map.eval(at), slopes(map, at)];
     for (let k = 0; k < wanted.length; k++) {
-      const [u, v, a, b] = [values[2 * k] - wanted[k][0], values[2 * k + 1] - wanted[k][1], slopes[2 * k], slopes[2 * k + 1]];
-      const size = a * a + b * b;
-      at[2 * k] -= (u * a + v * b) / size;
-      at[2 * k + 1] -= (v * a - u * b) / size;
+      const [u, v] = solved(rises, k, values[2 * k] - wanted[k][0], values[2 * k + 1] - wanted[k][1]);
+      at[2 * k] -= u;
+      at[2 * k + 1] -= v;
     }
   }
   const values = map.eval(at);

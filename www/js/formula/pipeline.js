@@ -3,6 +3,9 @@
 import { FormulaMap, presets, Texture } from "../../pkg/index.js";
 import { flatten, onGrid, scaledTo, unflatten } from "../common/frame.js";
 import { compile } from "./compile.js";
+import { turned } from "./cut.js";
+import { angleAt, cutLines } from "./cut-lines.js";
+import { dilatationOver, drawEllipses, slopes } from "./dilatation.js";
 import { gridLines, spokesOf, unbroken } from "./grid.js";
 import { preimage } from "./inverse.js";
 import { drawLevels, portray, valuesOver } from "./portrait.js";
@@ -14,7 +17,7 @@ import { drawLevels, portray, valuesOver } from "./portrait.js";
 /** @typedef {import("../../pkg/index.js").Wrap} Wrap */
 /** @typedef {import("./portrait.js").Part} Part */
 /** @typedef {"picture" | import("./portrait.js").Scheme} Colours what the planes show */
-/** @typedef {"none" | "cartesian" | "polar" | Part | "stretch" | "argument"} Lines what is drawn over that */
+/** @typedef {"none" | "cartesian" | "polar" | Part | "stretch" | "argument" | "ellipses"} Lines what is drawn over that */
 /** @typedef {{ formula: string, params: Record<string, Point> }} Typed */
 /**
  * @typedef {Typed & {
@@ -25,8 +28,14 @@ import { drawLevels, portray, valuesOver } from "./portrait.js";
  * texture's plane and of the warped one
  */
 /** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
-/** @typedef {{ version: number, source: Frame, target: Frame, sourcePixels: Pixels, targetPixels: Pixels, warpMs: number }} Result */
-/** @typedef {{ what: "presets" } | { what: "compile", text: string, params: Record<string, Point> } | ({ what: "points" } & Typed & { points: Point[] }) | ({ what: "back" } & Typed & { points: Point[], within: import("../common/placement.js").Placement })} Question */
+/** @typedef {{ version: number, source: Frame, target: Frame, sourcePixels: Pixels, targetPixels: Pixels, warpMs: number, dilatation: import("./dilatation.js").Dilatation | null }} Result `dilatation` of what is not analytic, over the plane on which it is evaluated */
+/** @typedef {import("../common/placement.js").Placement} Placement */
+/**
+ * @typedef {{ what: "presets" } | { what: "compile", text: string, params: Record<string, Point> } | ({ what: "points" } & Typed & { points: Point[] })
+ *   | ({ what: "back" } & Typed & { points: Point[], within: Placement }) | ({ what: "slopes" } & Typed & { at: Point })
+ *   | ({ what: "cuts" } & Typed & { cut: import("./cut.js").Cut, within: Placement })
+ *   | ({ what: "angle" } & Typed & { cut: import("./cut.js").Cut, which: number, at: Point })} Question
+ */
 /** @typedef {import("../common/serve.js").Talk<Result>} Talk */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
 
@@ -70,8 +79,9 @@ export class FormulaPipeline {
     const map = new FormulaMap(job.formula, { params: job.params });
     const identity = new FormulaMap("z");
     const begin = performance.now();
+    const dilatation = dilatationOver(map, job.direction === "pull-back" ? job.target : job.source);
     /** @param {number} side @param {Quality} quality @param {(share: number) => void} [onShare] */
-    const draw = (side, quality, onShare) => drawBoth({ map, identity, texture, job, begin }, side, quality, talk, onShare);
+    const draw = (side, quality, onShare) => drawBoth({ map, identity, texture, job, begin, dilatation }, side, quality, talk, onShare);
     try {
       const full = job.target.pixels[0];
       const first = await draw(Math.min(FIRST, full), "bilinear");
@@ -126,8 +136,16 @@ export class FormulaPipeline {
   answer(question) {
     if (question.what === "presets") return presets();
     if (question.what === "compile") return compile(question.text, question.params);
+    if (question.what === "slopes") return slopes(this.#map(question), flatten([question.at]));
+    if (question.what === "cuts") return this.#cuts(question);
+    if (question.what === "angle") return angleAt(this.#map({ ...question, formula: cutIn(question)[question.which] ?? "0" }), question.at);
     if (question.what === "back") return preimage(this.#map(question), question.points, question.within);
     return unflatten(this.#map(question).eval(flatten(question.points))).map((p) => (p.every(Number.isFinite) ? p : null));
+  }
+
+  /** Where the cuts lie. @param {Question & { what: "cuts" }} question @returns {import("./cut-handle.js").Line[]} */
+  #cuts({ cut, within, params, ...rest }) {
+    return cutIn({ cut, params, ...rest }).map((formula, which) => ({ which, pieces: cutLines(this.#map({ formula, params }), cut.angle, within) }));
   }
 
   /** A formula's map; the last one is kept. @param {Typed} typed */
@@ -152,12 +170,15 @@ export class FormulaPipeline {
   }
 }
 
+/** What in a formula has cuts. @param {Typed & { cut: import("./cut.js").Cut }} typed */
+const cutIn = ({ formula, params, cut }) => turned(formula, Object.keys(params), cut)?.arguments ?? [];
+
 /**
  * Both pictures, with so many pixels a side.
- * @param {{ map: FormulaMap, identity: FormulaMap, texture: Texture, job: Job, begin: number }} what @param {number} side
+ * @param {{ map: FormulaMap, identity: FormulaMap, texture: Texture, job: Job, begin: number, dilatation: Result["dilatation"] }} what @param {number} side
  * @param {Quality} quality @param {Talk} talk @param {(share: number) => void} [onShare] of the rows
  */
-async function drawBoth({ map, identity, texture, job, begin }, side, quality, talk, onShare = () => {}) {
+async function drawBoth({ map, identity, texture, job, begin, dilatation }, side, quality, talk, onShare = () => {}) {
   const { texture: frame, direction, colours, version } = job;
   const [source, target] = [job.source, job.target].map((view) => onGrid(view, [side, side]));
   const started = performance.now();
@@ -180,7 +201,7 @@ async function drawBoth({ map, identity, texture, job, begin }, side, quality, t
   });
   const warpMs = performance.now() - (side === job.target.pixels[0] ? begin : started);
   /** @type {Result} */
-  const result = { version, source, target, sourcePixels, targetPixels, warpMs };
+  const result = { version, source, target, sourcePixels, targetPixels, warpMs, dilatation };
   return { result, transfer: [sourcePixels.buffer, targetPixels.buffer] };
 }
 
@@ -218,7 +239,7 @@ function overlaid(map, job, view, rows) {
 const inked = (lines) => [{ ink: "lines", lines }];
 
 /** Lines that the other plane has too, straight ones. @param {Lines} lines */
-const isGrid = (lines) => lines !== "stretch" && lines !== "argument";
+const isGrid = (lines) => lines !== "stretch" && lines !== "argument" && lines !== "ellipses";
 
 /** @typedef {{ view: Frame, out: Uint8ClampedArray, rows: [number, number] }} Place rows of a view */
 
@@ -233,6 +254,7 @@ function drawLines(map, { lines, colours, density, texture, fine }, place, bold 
   if (lines === "none") return;
   const [spacing, spokes, thick] = [texture.width / density, spokesOf(density), (fine ? 2 : 1) * Math.max(1, bold)];
   const ink = INKS[colours === "picture" ? "photo" : "colours"];
-  if (lines === "cartesian" || lines === "polar" || lines === "stretch" || lines === "argument") map.overlay({ ...place, kind: lines, opacity: OPACITY, width: thick, spacing, spokes, color: ink });
+  if (lines === "ellipses") drawEllipses(map, place, { spacing, width: (LINE / 2) * thick, ink });
+  else if (lines === "cartesian" || lines === "polar" || lines === "stretch" || lines === "argument") map.overlay({ ...place, kind: lines, opacity: OPACITY, width: thick, spacing, spokes, color: ink });
   else drawLevels(valuesOver(map, place.view, place.rows), lines, { spacing, spokes, width: (LINE / 2) * thick, ink }, place.out);
 }

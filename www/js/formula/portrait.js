@@ -152,7 +152,7 @@ function partOf(part, u, v) {
 }
 
 /** Straight alpha over straight alpha. @param {Uint8ClampedArray} out @param {number} at @param {number} red @param {number} green @param {number} blue @param {number} share */
-function layOver(out, at, red, green, blue, share) {
+export function layOver(out, at, red, green, blue, share) {
   const below = (out[at + 3] / 255) * (1 - share);
   const alpha = share + below;
   out[at] = (red * share + out[at] * below) / alpha;

@@ -2,6 +2,7 @@
 
 import { between, numbers, oneOf, photo, point, readAddress } from "../common/address.js";
 import { knowsPicture } from "../common/images.js";
+import { PRINCIPAL } from "./cut.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./pipeline.js").Lines} Lines */
@@ -21,6 +22,7 @@ import { knowsPicture } from "../common/images.js";
  * @property {Lines} lines
  * @property {number} density lines in the width of the picture
  * @property {number} morph how far on the way from z to f(z), 0 to 1
+ * @property {import("./cut.js").Cut} cut of logarithms, roots and powers
  * @property {Placement} texture
  * @property {Placement} view
  * @property {Placement | null} around what is seen of the picture’s own plane, once somebody has moved it
@@ -30,14 +32,14 @@ import { knowsPicture } from "../common/images.js";
 const IMAGES = { photo: "astronaut", lattice: "lattice" };
 /** What can be shown, and what over it. */
 const COLOURS = /** @type {const} */ (["picture", "hue", "shaded", "contours", "gold", "chess"]);
-const LINES = /** @type {const} */ (["none", "cartesian", "polar", "real", "imaginary", "modulus", "phase", "stretch", "argument"]);
+const LINES = /** @type {const} */ (["none", "cartesian", "polar", "real", "imaginary", "modulus", "phase", "stretch", "argument", "ellipses"]);
 /** Longer formulas are nobody's handwriting. */
 const LONGEST = 4000;
 
 /** @param {Preset} preset @param {string} image the photo that is shown now @returns {State} */
 export function fromPreset({ formula, params, direction, wrap, texture, view, picture }, image) {
   const fitting = picture === "lattice" || image === "lattice" ? IMAGES[picture] : image;
-  return { formula, params, direction, image: fitting, wrap, colours: "picture", lines: "none", density: 8, morph: 1, texture, view, around: null };
+  return { formula, params, direction, image: fitting, wrap, colours: "picture", lines: "none", density: 8, morph: 1, cut: PRINCIPAL, texture, view, around: null };
 }
 
 /** @param {number} x */
@@ -48,11 +50,13 @@ const write = ({ center, width }) => [...center, width].map(short).join(",");
 
 /** @param {State} state @returns {string} the hash, without # */
 export function encode(state) {
-  const { formula, params, direction, image, wrap, colours, lines, density, morph, texture, view, around } = state;
+  const { formula, params, direction, image, wrap, colours, lines, density, morph, cut, texture, view, around } = state;
   const fields = new URLSearchParams({ f: formula, way: direction, image, wrap, lines, texture: write(texture), view: write(view) });
   if (colours !== "picture") fields.set("colours", colours);
   if (density !== 8) fields.set("density", String(density));
   if (morph !== 1) fields.set("morph", short(morph));
+  if (cut.angle !== PRINCIPAL.angle) fields.set("cut", short(cut.angle));
+  if (cut.sheet !== PRINCIPAL.sheet) fields.set("sheet", String(cut.sheet));
   if (around) fields.set("around", write(around));
   for (const [name, value] of Object.entries(params)) fields.set(`p.${name}`, value.map(short).join(","));
   return fields.toString();
@@ -63,6 +67,16 @@ function placement(text) {
   const [x, y, width] = numbers(3)(text);
   if (!(width > 0)) throw new Error("needs a positive width as its third number");
   return { center: [x, y], width };
+}
+
+/** Sheets each way that can be shown. */
+export const SHEETS = 99;
+
+/** @param {string} text */
+function sheet(text) {
+  const value = between(-SHEETS, SHEETS)(text);
+  if (!Number.isInteger(value)) throw new Error("must be a whole number");
+  return value;
 }
 
 /** @param {string} text */
@@ -86,6 +100,8 @@ export function decode(hash, presets, usual) {
     lines: oneOf(LINES),
     density: between(2, 32),
     morph: between(0, 1),
+    cut: between(-180, 180),
+    sheet,
     texture: placement,
     view: placement,
     around: placement,
@@ -96,7 +112,8 @@ export function decode(hash, presets, usual) {
   const told = [...others].map(([name, value]) => [name.slice(2), value]);
   const { f = base.formula, way = base.direction, image = base.image, wrap = base.wrap } = values;
   const { colours = base.colours, lines = base.lines, density = base.density, morph = base.morph } = values;
+  const { cut: angle = base.cut.angle, sheet: onSheet = base.cut.sheet } = values;
   const { texture = base.texture, view = base.view, around = base.around } = values;
-  const state = { formula: f, params: { ...base.params, ...Object.fromEntries(told) }, direction: way, image, wrap, colours, lines, density: Math.round(density), morph, texture, view, around };
+  const state = { formula: f, params: { ...base.params, ...Object.fromEntries(told) }, direction: way, image, wrap, colours, lines, density: Math.round(density), morph, cut: { angle, sheet: onSheet }, texture, view, around };
   return { state, wrong };
 }
