@@ -2,6 +2,7 @@
 
 import { along, Board } from "../board.js";
 import { closed, deepEnough, ROOM } from "../shapes.js";
+import { isStill } from "../../common/motion.js";
 import { mix, nearestOnBoundary, rightOf } from "../../editor/geometry.js";
 
 /** @typedef {import("../../common/frame.js").Point} Point */
@@ -79,7 +80,7 @@ export function mount(place) {
       counts[nearestOnBoundary(ROOM, way[way.length - 1]).edge]++;
       ways = [...ways, way].slice(-DRAWN);
     }
-    draw();
+    if (!left || !isStill()) draw();
     if (left) requestAnimationFrame(send);
   }
 
