@@ -131,11 +131,11 @@ test("a finger adds a point by the handle in the middle of an edge", async () =>
 });
 
 test("the projector's view shows the pictures and few controls on all of the screen, and is left again", async () => {
-  for (const path of ["", "regions.html", "formula.html", "cortex.html"]) {
+  for (const path of ["", "regions.html", "formula.html", "cortex.html", "flow.html", "fields.html"]) {
     const { page, errors, close } = await openPage(session, path);
     await page.locator("#present").click();
     await page.waitForFunction(() => document.fullscreenElement === document.documentElement);
-    await page.waitForTimeout(200);
+    await page.waitForFunction(() => [...document.querySelectorAll(".stage")].every((stage) => stage.getBoundingClientRect().bottom <= innerHeight));
     await settled(page, "ready");
     for (const gone of ["h1", ".page-foot", "#save"]) assert.ok(await page.locator(gone).first().isHidden(), `${path}: ${gone}`);
     const boxes = await page.locator(".stage").evaluateAll((all) => all.map((stage) => stage.getBoundingClientRect()).map(({ left, top, right, bottom }) => [left, top, right, bottom]));

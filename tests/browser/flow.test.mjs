@@ -74,8 +74,13 @@ test("a drag turns the wind, specks move, and every body of the list is drawn", 
   await drag(page, await at(page, 0.3, 0.6), await at(page, 0.3, 0.5));
   assert.ok((await circulation(page)) < first, "the wind comes from further below");
   const now = await picture(page);
-  await page.waitForTimeout(300);
-  assert.notEqual(await picture(page), now, "the specks stand still");
+  await page.waitForFunction((now) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("flow"));
+    const data = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
+    let digest = 0;
+    for (const value of data) digest = (Math.imul(digest, 31) + value) | 0;
+    return digest !== now;
+  }, now);
   for (const name of await page.locator("#body option:not([hidden])").evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value))) {
     await page.locator("#body").selectOption(name);
     await page.waitForFunction((body) => location.hash.includes(`body=${body}`) && document.body.dataset.state === "ready", name);
@@ -112,7 +117,7 @@ test("a body of 60 vertices is dragged through the wind, and traced when it keep
   assert.ok(rate > 0, "it is drawn");
   const rough = await picture(page);
   await page.locator("#angle").fill("3");
-  await page.waitForTimeout(1500);
+  await page.locator('#flow[data-lines="traced"]').waitFor();
   assert.notEqual(await picture(page), rough);
   await screenshot(page, "flow-traced");
   assert.deepEqual(errors, []);
@@ -171,7 +176,7 @@ for (const [name, width, height, colorScheme] of /** @type {const} */ ([["phone"
     assert.ok(overflow <= 0, `${overflow} pixels too wide`);
     const bottom = await page.locator("#flow").evaluate((canvas) => canvas.getBoundingClientRect().bottom);
     assert.ok(bottom <= height, "the picture is below the fold");
-    await page.waitForTimeout(1500);
+    await page.locator('#flow[data-lines="traced"]').waitFor();
     await screenshot(page, `flow-${name}-${colorScheme}`);
     assert.deepEqual(errors, []);
     await close();

@@ -6,11 +6,13 @@ import { attempt, remark } from "./page.js";
 
 /** What goes along: the fields of a drawing, or of a photo alone; none where they are as at first. @typedef {Record<string, string>} Fields */
 
-const PAGES = ["", "regions.html", "formula.html", "cortex.html"];
+const PAGES = ["", "regions.html", "formula.html", "cortex.html", "flow.html", "fields.html"];
 /** Under which names a page knows the fields that others hand over. @param {string} page */
 const prefixOf = (page) => (page === "regions.html" ? "a." : "");
 /** Pages whose address holds a region. @param {string} page */
 const draws = (page) => page === "" || page === "regions.html";
+/** Pages that warp a photo. @param {string} page */
+const warps = (page) => page !== "flow.html" && page !== "fields.html";
 const DRAWING = ["image", "region", "center", "toward"];
 
 /** The name of a page of ours; "" for the first. @param {string} address */
@@ -29,7 +31,7 @@ const keyOf = (page) => `address of ${page || "index.html"}`;
 export function addressFor(last, fields, page) {
   const address = new URLSearchParams(last);
   const prefix = prefixOf(page);
-  const sent = draws(page) ? fields : "image" in fields ? { image: fields.image } : {};
+  const sent = draws(page) ? fields : "image" in fields && warps(page) ? { image: fields.image } : {};
   const same = address.get(`${prefix}image`) === sent.image;
   if (sent.image !== undefined && !(same && !sent.region)) {
     // Another photo: the region drawn on the last one and the place that was looked at there are not meant.

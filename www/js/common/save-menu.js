@@ -6,13 +6,14 @@ import { openState, stateFile } from "./saved-state.js";
 import { handOver, Saver } from "./saver.js";
 
 /** @typedef {import("./frame.js").Point} Point */
-/** @typedef {import("./images.js").Picture} Picture */
+/** `file` holds it larger than `pixels`, at `fullSize`. @typedef {{ pixels: Uint8ClampedArray, frame: import("./frame.js").Frame, file?: Blob, fullSize?: Point }} Picture */
 /**
  * What a page gives away.
  * @typedef {object} Goods
  * @property {string} name of the files
  * @property {URL} script of the page's worker
- * @property {() => Picture} picture that is warped
+ * @property {() => Picture} picture that is warped, if a photo is
+ * @property {boolean} [photo] false where nothing of a visitor's own is shown but lines, which are then saved too
  * @property {() => Point} shape of the picture's panel, in CSS pixels
  * @property {(pixels: Point, kind: "picture" | "drawing") => object} job for a picture of so many pixels, or a drawing
  * @property {string} drawing what lines the SVG file has
@@ -21,6 +22,8 @@ import { handOver, Saver } from "./saver.js";
 
 /** Longer sides of the pictures that can be saved. */
 const SIDES = [1024, 2048, 4096, 8192];
+/** What is offered first where there is no photo whose size it could be. */
+const USUAL = 2048;
 /** A button says that something was done for so long, in milliseconds. */
 const SAID = 1800;
 
@@ -37,17 +40,18 @@ export function offerToSave(goods) {
   words.setAttribute("role", "status");
   const picture = make("button", { type: "button", id: "save-picture", className: "strong", textContent: "Save PNG" });
   const drawing = make("button", { type: "button", id: "save-drawing", textContent: "Save SVG" });
+  lines.checked = goods.photo === false;
   const state = make("button", { type: "button", id: "save-state", textContent: "Save JSON" });
   const open = make("button", { type: "button", id: "open-state", textContent: "Open\u200a…" });
   const file = make("input", { type: "file", id: "state-file", accept: ".json,application/json", hidden: true, label: "A state saved before" });
-  const link = make("button", { type: "button", id: "copy-link", textContent: "Copy link", title: "Your own photos are not in it" });
+  const link = make("button", { type: "button", id: "copy-link", textContent: "Copy link", title: goods.photo === false ? "" : "Your own photos are not in it" });
   const embed = make("button", { type: "button", id: "copy-embed", textContent: "Copy embed code", title: "An <iframe> for your own page, with the pictures alone" });
 
   menuOf(button, "Save and share", [
     menuRow("Picture", [size, make("label", { className: "check" }, [lines, " with lines"]), picture]),
     busy,
     menuRow("Drawing", [drawing], goods.drawing),
-    menuRow("State", [state, open, file], "to go on with later, your own photo too"),
+    menuRow("State", [state, open, file], `to go on with later${goods.photo === false ? "" : ", your own photo too"}`),
     menuRow("Share", [link, embed]),
     words,
   ]).addEventListener("beforetoggle", () => fillSizes(size, goods));
@@ -101,14 +105,14 @@ function embedCode() {
 }
 
 /** @param {HTMLSelectElement} select @param {Goods} goods */
-function fillSizes(select, { picture, shape }) {
+function fillSizes(select, { picture, shape, photo: warped = true }) {
   const { frame, fullSize = frame.pixels } = picture();
-  const photo = Math.min(SIDES[SIDES.length - 1], Math.max(...fullSize));
-  const chosen = select.value || String(photo);
+  const photo = warped ? Math.min(SIDES[SIDES.length - 1], Math.max(...fullSize)) : 0;
+  const chosen = select.value || String(photo || USUAL);
   /** @param {number} side @param {string} name */
   const option = (side, name) => new Option(`${name}${pixelsOf(side, shape()).join(" × ")}`, String(side));
-  select.replaceChildren(option(photo, "the photo’s own: "), ...SIDES.filter((side) => side !== photo).map((side) => option(side, "")));
-  select.value = [...select.options].some(({ value }) => value === chosen) ? chosen : String(photo);
+  select.replaceChildren(...(photo ? [option(photo, "the photo’s own: ")] : []), ...SIDES.filter((side) => side !== photo).map((side) => option(side, "")));
+  select.value = [...select.options].some(({ value }) => value === chosen) ? chosen : String(photo || USUAL);
 }
 
 /** So many pixels along the longer side. @param {number} side @param {Point} shape @returns {Point} */

@@ -1,6 +1,6 @@
 // Files of what is seen: a worker of their own makes them, so that the page goes on; to cancel is to end it.
 
-/** @typedef {import("./images.js").Picture} Picture */
+/** @typedef {import("./save-menu.js").Picture} Picture */
 /** @typedef {import("./plate.js").Wanted} Wanted */
 /** @typedef {import("./serve.js").Saved} Saved */
 

@@ -3,22 +3,22 @@
 import { conductors as ready } from "./conductors.js";
 import { ElectricView } from "./view.js";
 import { oneOf, readAddress, wrongWords } from "../common/address.js";
+import { offerAlone } from "../common/alone.js";
+import { goAlong } from "../common/along.js";
 import { Courier } from "../common/courier.js";
 import { onGrid, toPlane } from "../common/frame.js";
-import { workOffline } from "../common/offline.js";
 import { element, press, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
-import { handOver } from "../common/saver.js";
 import { pixelOf } from "../common/svg.js";
 import { power } from "../editor/evidence.js";
 import { contains } from "../editor/geometry.js";
 import { GridField, placeOf } from "../flow/grid-field.js";
+import { offerScene } from "../flow/save-scene.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./answers.js").Answer} Answer */
 /** @typedef {import("../common/frame.js").Frame} Frame */
 
 watchErrors();
-workOffline();
 const courier = new Courier(new URL("worker.js", import.meta.url));
 const canvas = /** @type {HTMLCanvasElement} */ (element("field"));
 const view = new ElectricView(canvas);
@@ -42,10 +42,9 @@ const SCHEMA = {
   },
 };
 
-const { values, wrong } = readAddress(location.hash, SCHEMA);
-let set = values.set ?? "pair";
-let potentials = values.volts?.length === chosen().potentials.length ? values.volts : chosen().potentials;
-if (wrong.length) remark(wrongWords(wrong));
+let set = "pair";
+/** @type {number[]} */
+let potentials = [];
 /** @type {{ field: GridField, answer: Answer } | null} */
 let solved = null;
 
@@ -57,6 +56,14 @@ function chosen() {
 function drawn() {
   const { shield, outlines } = chosen();
   return [...(shield ? [shield] : []), ...outlines].map((outline, k) => ({ outline, potential: potentials[k], around: shield !== undefined && k === 0 }));
+}
+
+/** Takes what the address says. */
+function read() {
+  const { values, wrong } = readAddress(location.hash, SCHEMA);
+  set = values.set ?? "pair";
+  potentials = values.volts?.length === chosen().potentials.length ? values.volts : chosen().potentials;
+  remark(wrongWords(wrong));
 }
 
 function solve() {
@@ -117,8 +124,10 @@ function controls() {
   for (const name of /** @type {const} */ (["potential", "levels", "lines"])) press(name, shown[name]);
 }
 
+const address = () => `set=${set}&volts=${potentials.join(",")}`;
+
 function change() {
-  history.replaceState(null, "", `#set=${set}&volts=${potentials.join(",")}`);
+  history.replaceState(null, "", `#${address()}`);
   controls();
   solve();
 }
@@ -137,7 +146,14 @@ for (const name of /** @type {const} */ (["potential", "levels", "lines"])) {
     draw();
   });
 }
-element("save").addEventListener("click", () => canvas.toBlob((blob) => (blob ? handOver(blob, "field.png") : remark("The picture could not be saved."))));
+offerScene({ name: "field", drawing: "lines of force, equal potentials and conductors", canvas, view, address });
+offerAlone(draw);
+goAlong(() => ({}));
+window.addEventListener("hashchange", () => {
+  read();
+  controls();
+  solve();
+});
 
 /** Gives a conductor the next potential; not all of them the same. @param {number} k */
 function charge(k) {
@@ -163,5 +179,6 @@ window.addEventListener("keydown", (event) => {
 });
 new ResizeObserver(draw).observe(canvas);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", solve);
+read();
 controls();
 solve();

@@ -1,7 +1,6 @@
 // The picture of a field: the potential as colour, lines of equal potential, lines of force, conductors.
 
-import { toPixels } from "../common/frame.js";
-import { Sheet } from "../flow/sheet.js";
+import { palette, plateOf, Sheet } from "../flow/sheet.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../flow/grid-field.js").GridField} GridField */
@@ -18,6 +17,8 @@ export class ElectricView {
   #sheet;
   /** @type {Point[][]} */ #equal = [];
   /** @type {Point[][]} */ #force = [];
+  /** @type {import("../flow/scene.js").Plate | null} */ #plate = null;
+  /** What was drawn last. @type {import("../flow/scene.js").Scene | null} */ scene = null;
 
   /** @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
@@ -28,30 +29,29 @@ export class ElectricView {
   prepare(field, { equal, force }, highest) {
     this.#equal = equal;
     this.#force = force;
-    this.#sheet.colour(field.grid, Float32Array.from(field.values, (value) => Math.max(-1, Math.min(1, value / (highest || 1)))), COLOURS);
+    this.#plate = plateOf(field.grid, Float32Array.from(field.values, (value) => Math.max(-1, Math.min(1, value / (highest || 1)))), COLOURS);
   }
 
   /** @param {GridField} field @param {Drawn[]} drawn @param {Shown} shown */
   draw({ grid }, drawn, shown) {
-    const sheet = this.#sheet;
-    const { context } = sheet.begin(grid);
-    const shield = drawn.find(({ around }) => around);
-    if (shield) sheet.within(shield.outline);
-    if (shown.potential) sheet.lay();
-    if (shown.levels) sheet.lines(this.#equal, 1, 0.4);
-    if (shown.lines) sheet.lines(this.#force, 1.6, 0.85);
-    if (shield) context.restore();
-    for (const { outline, potential, around } of drawn) {
-      sheet.outline(outline, !around);
-      this.#words(potential, around ? [middleOf(outline)[0], Math.max(...outline.map((p) => p[1])) - 0.18] : middleOf(outline));
-    }
-  }
-
-  /** @param {number} potential @param {Point} at */
-  #words(potential, at) {
-    const { context, frame, density } = this.#sheet.drawing;
-    Object.assign(context, { fillStyle: this.#sheet.ink, font: `600 ${13 * density}px Inter, sans-serif`, textAlign: "center", textBaseline: "middle" });
-    context.fillText(potential > 0 ? `+${potential} V` : potential < 0 ? `−${-potential} V` : "0 V", ...toPixels(frame, at));
+    this.scene = {
+      grid,
+      palette: palette(),
+      plate: shown.potential ? this.#plate : null,
+      within: drawn.find(({ around }) => around)?.outline ?? null,
+      strokes: [
+        ...(shown.levels ? [{ lines: this.#equal, width: 1, opacity: 0.4 }] : []),
+        ...(shown.lines ? [{ lines: this.#force, width: 1.6, opacity: 0.85 }] : []),
+      ],
+      bodies: drawn.map(({ outline, around }) => ({ outline, filled: !around })),
+      words: drawn.map(({ outline, potential, around }) => ({
+        text: potential > 0 ? `+${potential} V` : potential < 0 ? `−${-potential} V` : "0 V",
+        at: around ? [middleOf(outline)[0], Math.max(...outline.map((p) => p[1])) - 0.18] : middleOf(outline),
+      })),
+      rests: [],
+      over: [],
+    };
+    this.#sheet.draw(this.scene);
   }
 }
 

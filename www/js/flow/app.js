@@ -4,15 +4,18 @@ import { bodies as ready, bodyOf, placed } from "./bodies.js";
 import { placeOf } from "./grid-field.js";
 import { Particles } from "./particles.js";
 import { restingPoints } from "./resting.js";
+import { offerScene } from "./save-scene.js";
 import { readState, writeState } from "./state.js";
 import { FlowView, levelsOf } from "./view.js";
 import { Wind } from "./wind.js";
+import { offerAlone } from "../common/alone.js";
+import { goAlong } from "../common/along.js";
 import { Courier } from "../common/courier.js";
 import { toPlane } from "../common/frame.js";
 import { onEscape } from "../common/keys.js";
-import { workOffline } from "../common/offline.js";
+import { isStill } from "../common/motion.js";
 import { attempt, element, press, remark, showEvidence, statusOfPage, tell, watchErrors } from "../common/page.js";
-import { handOver } from "../common/saver.js";
+import { isState, openState } from "../common/saved-state.js";
 import { pixelOf } from "../common/svg.js";
 import { power } from "../editor/evidence.js";
 import { contains, crossingEdges, simplify } from "../editor/geometry.js";
@@ -23,7 +26,6 @@ import { contains, crossingEdges, simplify } from "../editor/geometry.js";
 /** @typedef {import("../common/frame.js").Frame} Frame */
 
 watchErrors();
-workOffline();
 const courier = new Courier(new URL("worker.js", import.meta.url));
 const canvas = /** @type {HTMLCanvasElement} */ (element("flow"));
 const view = new FlowView(canvas);
@@ -99,6 +101,7 @@ function turn() {
   wind.turn((state.angle * Math.PI) / 180, circulation, (k) => owners[k]);
   resting = restingPoints(wind, outlines);
   view.prepare(wind, state);
+  canvas.dataset.lines = "rough";
   draw();
   read();
   trace(wind);
@@ -114,6 +117,7 @@ function trace(of) {
       view.take(found.lines);
       resting = found.resting;
       draw();
+      canvas.dataset.lines = "traced";
     },
     // The lines of the grid stay.
     () => {},
@@ -123,7 +127,7 @@ function trace(of) {
 function draw() {
   if (!wind) return;
   const outlines = stroke ? [] : shownBodies().outlines;
-  view.draw(wind, outlines, state, particles.specks.map(({ trail }) => trail), stroke ? [] : resting);
+  view.draw(wind, outlines, state, particles.specks.map(({ trail }) => trail), stroke ? [] : resting, stroke ?? undefined);
 }
 
 /** What is read off the flow. */
@@ -192,7 +196,18 @@ element("angle").addEventListener("input", (event) => change({ angle: /** @type 
 element("circulation").addEventListener("input", (event) => change({ circulation: /** @type {HTMLInputElement} */ (event.target).valueAsNumber }));
 element("kutta").addEventListener("click", () => change({ kutta: !state.kutta, circulation: /** @type {HTMLInputElement} */ (element("circulation")).valueAsNumber }));
 for (const name of /** @type {const} */ (["pressure", "lines", "specks"])) element(name).addEventListener("click", () => change({ [name]: !state[name] }));
-element("save").addEventListener("click", () => canvas.toBlob((blob) => (blob ? handOver(blob, "flow.png") : remark("The picture could not be saved."))));
+offerScene({ name: "flow", drawing: "streamlines and bodies", canvas, view, address: () => writeState(state) });
+offerAlone(draw);
+goAlong(() => ({}));
+window.addEventListener("hashchange", () => {
+  const { state: next, wrong: words } = readState(location.hash);
+  remark(words);
+  stroke = null;
+  state = next;
+  ownOption.hidden = !state.own;
+  controls();
+  solve();
+});
 element("open").addEventListener("click", () => /** @type {HTMLElement} */ (element("file")).click());
 element("file").addEventListener("change", async () => {
   const input = /** @type {HTMLInputElement} */ (element("file"));
@@ -213,6 +228,7 @@ window.addEventListener("paste", (event) => {
 
 /** A body from a text. @param {string} text @param {string} name */
 function take(text, name) {
+  if (isState(text)) return attempt(openState(text, name), () => {});
   attempt(courier.ask("outline", { what: "outline", text }), (found) => {
     if (!found) return;
     own(name, placed(found.outline));
@@ -255,7 +271,6 @@ canvas.addEventListener("pointermove", (event) => {
   if (stroke) {
     stroke.push(pointAt(event));
     draw();
-    view.sketch(stroke);
   } else if (turning) {
     const angle = Math.max(-30, Math.min(30, turning.angle + (event.clientX - event.clientY - turning.at) * 0.1));
     change({ angle: Math.round(angle * 10) / 10 });
@@ -282,16 +297,19 @@ onEscape(() => {
 
 // Time
 
-const still = matchMedia("(prefers-reduced-motion: reduce)");
+/** Where nothing is to move by itself, specks have gone this far, in seconds, once and for all. */
+const [STILL_STEPS, STILL_STEP] = [14, 1 / 40];
 let last = 0;
 /** @param {number} now */
 function frame(now) {
   requestAnimationFrame(frame);
   if (!wind || !state.specks || stroke || document.hidden) return;
-  if (still.matches && particles.specks.length && particles.specks[0].trail.length > 12) return;
-  const time = Math.min(0.05, (now - last) / 1000);
+  const count = Math.round(Math.min(260, Math.max(60, canvas.clientWidth / 4)));
+  if (isStill()) {
+    if (particles.specks.length === count) return;
+    for (let step = 0; step < STILL_STEPS; step++) particles.step(wind, STILL_STEP, count);
+  } else particles.step(wind, Math.min(0.05, (now - last) / 1000), count);
   last = now;
-  particles.step(wind, time, Math.round(Math.min(260, Math.max(60, canvas.clientWidth / 4))));
   draw();
 }
 requestAnimationFrame(frame);

@@ -1,10 +1,11 @@
 // The picture of a flow: pressure as colour, streamlines, specks, bodies, where the fluid rests.
 
 import { levelPieces } from "./levels.js";
-import { Sheet } from "./sheet.js";
-import { scaleOf, toPixels } from "../common/frame.js";
+import { palette, plateOf, Sheet } from "./sheet.js";
+import { scaleOf } from "../common/frame.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
+/** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./wind.js").Wind} Wind */
 /** @typedef {{ pressure: boolean, lines: boolean, specks: boolean }} Shown */
 
@@ -22,6 +23,8 @@ export class FlowView {
   #sheet;
   /** @type {number[]} */ #pieces = [];
   /** Traced ones, which take the pieces' place. @type {Point[][] | null} */ #lines = null;
+  /** @type {import("./scene.js").Plate | null} */ #plate = null;
+  /** What was drawn last. @type {Scene | null} */ scene = null;
 
   /** @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
@@ -30,7 +33,7 @@ export class FlowView {
 
   /** Prepares what changes with the wind alone. @param {Wind} wind @param {Shown} shown */
   prepare(wind, shown) {
-    if (shown.pressure) this.#sheet.colour(wind.grid, coefficients(wind).map(shareOf), COLOURS);
+    this.#plate = shown.pressure ? plateOf(wind.grid, coefficients(wind).map(shareOf), COLOURS) : null;
     this.#lines = null;
     this.#pieces = shown.lines ? levelPieces(wind.values, wind.grid, levelsOf(wind)) : [];
   }
@@ -40,31 +43,28 @@ export class FlowView {
     this.#lines = lines;
   }
 
-  /** @param {Wind} wind @param {Point[][]} outlines @param {Shown} shown @param {Point[][]} trails @param {Point[]} resting where the fluid rests */
-  draw({ grid }, outlines, shown, trails, resting) {
-    const sheet = this.#sheet;
-    const { context, frame, density } = sheet.begin(grid);
-    if (shown.pressure) sheet.lay();
-    if (shown.lines && this.#lines) sheet.lines(this.#lines, 1.1, 0.5);
-    else if (shown.lines) sheet.pieces(this.#pieces, grid, 1.1, 0.5);
-    if (shown.specks) {
-      // Trails fade: their older half is drawn faintly.
-      sheet.lines(trails, 1.3, 0.2);
-      sheet.lines(trails.map((trail) => trail.slice(trail.length >> 1)), 1.3, 0.6);
-    }
-    for (const outline of outlines) sheet.outline(outline, true);
-    Object.assign(context, { fillStyle: "#ffc62e", strokeStyle: "#5f4300", lineWidth: 1.2 * density });
-    for (const point of resting) {
-      context.beginPath();
-      context.arc(...toPixels(frame, point), 4 * density, 0, 2 * Math.PI);
-      context.fill();
-      context.stroke();
-    }
-  }
-
-  /** A stroke that is being drawn. @param {Point[]} stroke */
-  sketch(stroke) {
-    this.#sheet.lines([stroke], 2.5, 1, this.#sheet.accent);
+  /**
+   * @param {Wind} wind @param {Point[][]} outlines @param {Shown} shown @param {Point[][]} trails @param {Point[]} rests where the fluid rests
+   * @param {Point[]} [sketch] what is being drawn
+   */
+  draw({ grid }, outlines, shown, trails, rests, sketch) {
+    const colours = palette();
+    /** @type {import("./scene.js").Strokes[]} */
+    const strokes = shown.lines ? [{ ...(this.#lines ? { lines: this.#lines } : { lines: [], pieces: this.#pieces }), width: 1.1, opacity: 0.5 }] : [];
+    // Trails fade: their older half is drawn faintly.
+    if (shown.specks) strokes.push({ lines: trails, width: 1.3, opacity: 0.2 }, { lines: trails.map((trail) => trail.slice(trail.length >> 1)), width: 1.3, opacity: 0.6 });
+    this.scene = {
+      grid,
+      palette: colours,
+      plate: shown.pressure ? this.#plate : null,
+      within: null,
+      strokes,
+      bodies: outlines.map((outline) => ({ outline, filled: true })),
+      words: [],
+      rests,
+      over: sketch ? [{ lines: [sketch], width: 2.5, opacity: 1, colour: colours.accent }] : [],
+    };
+    this.#sheet.draw(this.scene);
   }
 }
 

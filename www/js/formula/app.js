@@ -11,6 +11,7 @@ import { element, PhotoOpener, remark, statusOfPage, watchErrors, wordsOf } from
 import { PhotoChoice } from "../common/photo-choice.js";
 import { PlaneView } from "../common/plane-view.js";
 import { Probe, readingWords } from "../common/probe.js";
+import { isStill } from "../common/motion.js";
 import { menuOf } from "../common/menu.js";
 import { probeRow } from "../common/probe-menu.js";
 import { offerToSave } from "../common/save-menu.js";
@@ -275,7 +276,7 @@ function connectControls() {
   }));
   // What an example shows is to be seen.
   document.querySelector("main")?.addEventListener("click", ({ target }) => {
-    if (target instanceof Element && target.closest('a[href^="#"]')) element("panels").scrollIntoView({ block: "center", behavior: matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth" });
+    if (target instanceof Element && target.closest('a[href^="#"]')) element("panels").scrollIntoView({ block: "center", behavior: isStill() ? "auto" : "smooth" });
   });
   element("home").onclick = () => change({ view: HOME, around: null });
   offerToSave({

@@ -1,0 +1,68 @@
+// The worker that makes files of flows and fields.
+
+import { scaledTo } from "../common/frame.js";
+import { serveJobs } from "../common/serve.js";
+import { drawBodies, drawGround, drawLines, drawMarks } from "./scene.js";
+
+/** @typedef {import("../common/frame.js").Frame} Frame */
+/** @typedef {import("../common/layers.js").Drawing} Drawing */
+/** @typedef {import("./scene.js").Scene} Scene */
+/** `density`: pixels of the picture that stand for one of the page. @typedef {{ version: number, scene: Scene, frame: Frame, density: number, drawing: boolean, name: string }} Job */
+
+/** Rows that are drawn at once. */
+const BAND = 512;
+
+serveJobs({
+  setPicture() {},
+
+  run() {
+    throw new Error("Pictures of scenes are drawn on the page.");
+  },
+
+  /** @param {Job} job @returns {Promise<import("../common/plate.js").Plate>} */
+  async plate({ scene, frame, density, drawing, name }) {
+    const { plate } = scene;
+    const colours = plate && (await createImageBitmap(new ImageData(plate.pixels, ...plate.size)));
+    /** @param {[number, number]} rows @param {(drawing: Drawing) => void} draw */
+    const band = ([from, to], draw) => {
+      const [width, height] = [frame.pixels[0], to - from];
+      const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+      if (!context) throw new Error("This browser gives no 2d canvas.");
+      context.translate(0, -from);
+      draw({ context, frame, density });
+      return context.getImageData(0, 0, width, height).data;
+    };
+    return {
+      frame,
+      band: BAND,
+      draw: (rows) => band(rows, (on) => {
+        on.context.fillStyle = scene.palette.paper;
+        on.context.fillRect(0, 0, ...frame.pixels);
+        drawGround(on, scene, colours);
+        drawBodies(on, scene);
+      }),
+      tint: (rows) => band(rows, (on) => {
+        drawLines(on, scene);
+        drawMarks(on, scene);
+      }),
+      panels: drawing ? [{ name, frame: scaledTo(frame, 1000), layers: layersOf(scene) }] : [],
+      free: () => colours?.close(),
+    };
+  },
+});
+
+/** @param {Scene} scene @returns {import("../common/layers.js").Layer[]} */
+function layersOf({ grid, strokes, bodies }) {
+  const { center, width, pixels } = grid;
+  const size = width / pixels[0];
+  /** @param {number} column @param {number} row */
+  const point = (column, row) => [center[0] + (column - pixels[0] / 2) * size, center[1] + (pixels[1] / 2 - row) * size];
+  const lines = strokes.flatMap(({ lines, pieces = [] }) => [
+    ...lines.map((line) => Float64Array.from(line.flat())),
+    ...Array.from({ length: pieces.length / 4 }, (_, k) => Float64Array.from([point(pieces[4 * k], pieces[4 * k + 1]), point(pieces[4 * k + 2], pieces[4 * k + 3])].flat())),
+  ]);
+  return [
+    { ink: "lines", lines },
+    { ink: "outline", closed: true, lines: bodies.map(({ outline }) => Float64Array.from(outline.flat())) },
+  ];
+}
