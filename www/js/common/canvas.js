@@ -1,5 +1,6 @@
 // Canvases: their context, their size in device pixels, pixels put on them.
 
+import { imageOf, SPACE } from "./colours.js";
 import { onGrid } from "./frame.js";
 
 /** @typedef {import("./frame.js").Frame} Frame */
@@ -7,7 +8,7 @@ import { onGrid } from "./frame.js";
 
 /** The 2d context of a canvas. @param {HTMLCanvasElement} canvas @param {CanvasRenderingContext2DSettings} [settings] */
 export function contextOf(canvas, settings) {
-  const context = canvas.getContext("2d", settings);
+  const context = canvas.getContext("2d", { colorSpace: SPACE, ...settings });
   if (!context) throw new Error("This browser gives no 2d canvas.");
   return context;
 }
@@ -37,27 +38,27 @@ export function deviceGrid([width, height], sharpness, least = 32) {
   return [count(width), count(height)];
 }
 
-/** Shows pixels on a canvas, which becomes as large as they are. @param {HTMLCanvasElement} canvas @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {Point} size */
-export function paint(canvas, pixels, [width, height]) {
-  paintBeside(canvas, [pixels], [[width, height]]);
+/** Shows pixels on a canvas, which becomes as large as they are. @param {HTMLCanvasElement} canvas @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {Point} size @param {PredefinedColorSpace} [space] another than photos have */
+export function paint(canvas, pixels, [width, height], space) {
+  paintBeside(canvas, [pixels], [[width, height]], space);
 }
 
-/** Shows pictures of one height side by side; one may have no width. @param {HTMLCanvasElement} canvas @param {Uint8ClampedArray<ArrayBuffer>[]} pictures @param {Point[]} sizes */
-export function paintBeside(canvas, pictures, sizes) {
+/** Shows pictures of one height side by side; one may have no width. @param {HTMLCanvasElement} canvas @param {Uint8ClampedArray<ArrayBuffer>[]} pictures @param {Point[]} sizes @param {PredefinedColorSpace} [space] */
+export function paintBeside(canvas, pictures, sizes, space) {
   Object.assign(canvas, { width: sizes.reduce((sum, [width]) => sum + width, 0), height: sizes[0][1] });
   const context = contextOf(canvas);
   let left = 0;
   pictures.forEach((pixels, k) => {
     const [width, height] = sizes[k];
-    if (width) context.putImageData(new ImageData(pixels, width, height), left, 0);
+    if (width) context.putImageData(imageOf(pixels, width, height, space), left, 0);
     left += width;
   });
 }
 
-/** A canvas with pixels on it. @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {Point} size */
-export function canvasOf(pixels, size) {
+/** A canvas with pixels on it. @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {Point} size @param {PredefinedColorSpace} [space] */
+export function canvasOf(pixels, size, space) {
   const canvas = document.createElement("canvas");
-  paint(canvas, pixels, size);
+  paint(canvas, pixels, size, space);
   return canvas;
 }
 

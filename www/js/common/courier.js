@@ -1,5 +1,7 @@
 // Questions to one worker: of each asker the newest waits, the others are forgotten.
 
+import { WORKER } from "./colours.js";
+
 /** @typedef {import("./images.js").Picture} Picture */
 /** @typedef {{ asker: string, question: any, resolve: (answer: any) => void, reject: (error: Error) => void }} Letter */
 
@@ -39,7 +41,7 @@ export class Courier {
   }
 
   #start() {
-    const worker = new Worker(this.#script, { type: "module" });
+    const worker = new Worker(this.#script, WORKER);
     worker.onmessage = ({ data }) => this.#receive(data);
     worker.onerror = (event) => {
       event.preventDefault();

@@ -1,5 +1,7 @@
 // A worker as seen from the page: it works on one job at a time, and only the newest waits. One that fails is replaced.
 
+import { WORKER } from "./colours.js";
+
 /** @typedef {import("./images.js").Picture} Picture */
 /** @typedef {import("./serve.js").Versioned} Versioned */
 /** @template R @typedef {import("./serve.js").Reply<R>} Reply */
@@ -76,7 +78,7 @@ export class Lane {
   }
 
   #start() {
-    const worker = new Worker(this.#script, { type: "module" });
+    const worker = new Worker(this.#script, WORKER);
     worker.onmessage = ({ data }) => this.#receive(data);
     worker.onerror = (event) => {
       event.preventDefault();

@@ -52,9 +52,9 @@ export class PlaneView {
     return onGrid(this.frame, deviceGrid(this.frame.pixels, sharpness));
   }
 
-  /** Shows pixels rendered for a view, which may have moved since. @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {Frame} view */
-  paint(pixels, view) {
-    paint(this.#canvas, pixels, view.pixels);
+  /** Shows pixels rendered for a view, which may have moved since. @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {Frame} view @param {PredefinedColorSpace} [space] another than photos have */
+  paint(pixels, view, space) {
+    paint(this.#canvas, pixels, view.pixels, space);
   }
 
   /** The two axes, and the points ±1, ±i. */

@@ -1,5 +1,6 @@
 // What is given away of a page, made in a worker: a picture of any size as a PNG file, band by band, or its lines as an SVG file.
 
+import { imageOf, offscreen, SPACE } from "./colours.js";
 import { onGrid, scaleOf, toPixels } from "./frame.js";
 import { drawLayers, svgFile } from "./layers.js";
 import { PngWriter } from "./png.js";
@@ -16,6 +17,7 @@ import { PngWriter } from "./png.js";
  * @property {(rows: [number, number]) => Uint8ClampedArray} draw RGBA
  * @property {((rows: [number, number]) => Uint8ClampedArray) | null} [tint] colours over it, with the lines
  * @property {{ picture: CanvasImageSource, frame: Frame }} [behind] what lies under the picture
+ * @property {PredefinedColorSpace} [space] of what is drawn, if not that of photos
  * @property {Panel[]} panels the lines of the picture's plane last
  * @property {() => void} free
  */
@@ -29,7 +31,7 @@ export async function fileOf(plate, { kind, lines, density, title }, onShare) {
   if (kind === "drawing") return new Blob([svgFile(plate.panels, title)], { type: "image/svg+xml" });
   const { frame, band } = plate;
   const [width, height] = frame.pixels;
-  const png = new PngWriter([width, height]);
+  const png = new PngWriter([width, height], plate.space ?? SPACE);
   const layers = (lines && plate.panels.at(-1)?.layers) || [];
   const tint = lines && plate.tint;
   for (let row = 0; row < height; row += band) {
@@ -44,9 +46,9 @@ export async function fileOf(plate, { kind, lines, density, title }, onShare) {
 }
 
 /** Bands over what lies under them, and lines over them. @param {Plate} plate @param {Uint8ClampedArray[]} bands @param {[number, number]} rows @param {Layer[]} layers @param {number} density */
-function composed({ frame, behind }, bands, [from, to], layers, density) {
+function composed({ frame, behind, space }, bands, [from, to], layers, density) {
   const [width, height] = [frame.pixels[0], to - from];
-  const context = contextOf(width, height);
+  const context = offscreen(width, height, space);
   if (behind) {
     const { center, width: across, pixels } = behind.frame;
     const ratio = pixels[1] / pixels[0];
@@ -56,20 +58,13 @@ function composed({ frame, behind }, bands, [from, to], layers, density) {
     context.drawImage(behind.picture, left, top - from, side, side * ratio);
   }
   for (const pixels of bands) {
-    const band = contextOf(width, height);
-    band.putImageData(new ImageData(/** @type {Uint8ClampedArray<ArrayBuffer>} */ (pixels), width, height), 0, 0);
+    const band = offscreen(width, height, space);
+    band.putImageData(imageOf(pixels, width, height, space), 0, 0);
     context.drawImage(band.canvas, 0, 0);
   }
   context.translate(0, -from);
   drawLayers({ context, frame, density }, layers);
   return context.getImageData(0, 0, width, height).data;
-}
-
-/** @param {number} width @param {number} height */
-function contextOf(width, height) {
-  const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
-  if (!context) throw new Error("This browser gives no 2d canvas.");
-  return context;
 }
 
 /** @typedef {import("./serve.js").PictureMessage} PictureMessage */
@@ -82,7 +77,7 @@ export async function inFull({ pixels, frame, file }) {
   const [across, down] = [Math.min(bitmap.width, bitmap.height * ratio), Math.min(bitmap.height, bitmap.width / ratio)];
   const scale = Math.min(1, Math.sqrt(MOST_PIXELS / (across * down)));
   const [width, height] = [across, down].map((side) => Math.max(1, Math.round(side * scale)));
-  const context = contextOf(width, height);
+  const context = offscreen(width, height);
   context.imageSmoothingQuality = "high";
   context.drawImage(bitmap, (bitmap.width - across) / 2, (bitmap.height - down) / 2, across, down, 0, 0, width, height);
   bitmap.close();
@@ -91,4 +86,4 @@ export async function inFull({ pixels, frame, file }) {
 
 /** A picture to be drawn from. @param {PictureMessage} picture @returns {Promise<ImageBitmap>} */
 export const bitmapOf = ({ pixels, frame, file }) =>
-  createImageBitmap(file ?? new ImageData(/** @type {Uint8ClampedArray<ArrayBuffer>} */ (pixels), ...frame.pixels), { imageOrientation: "from-image" });
+  createImageBitmap(file ?? imageOf(pixels, ...frame.pixels), { imageOrientation: "from-image" });

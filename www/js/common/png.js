@@ -7,6 +7,8 @@ const SIGNATURE = Uint8Array.of(137, 80, 78, 71, 13, 10, 26, 10);
 const PAETH = 4;
 /** Bytes of a pixel: RGBA. */
 const DEPTH = 4;
+/** What says which colours the bytes are: sRGB as PNG has always known it; Display P3 by its numbers in ITU-T H.273. @type {Record<PredefinedColorSpace, [name: string, data: number[]]>} */
+const SPACES = { srgb: ["sRGB", [0]], "display-p3": ["cICP", [12, 13, 0, 1]] };
 
 const CRCS = Uint32Array.from({ length: 256 }, (_, n) => {
   let c = n;
@@ -22,8 +24,8 @@ export class PngWriter {
   #reading;
   /** The last row as it was. @type {Uint8Array} */ #above;
 
-  /** @param {Point} size */
-  constructor([width, height]) {
+  /** @param {Point} size @param {PredefinedColorSpace} [space] */
+  constructor([width, height], space = "srgb") {
     this.#width = width;
     this.#above = new Uint8Array(DEPTH * width);
     const header = new DataView(new ArrayBuffer(13));
@@ -31,7 +33,8 @@ export class PngWriter {
     header.setUint32(4, height);
     header.setUint8(8, 8);
     header.setUint8(9, 6);
-    this.#parts = [SIGNATURE, chunk("IHDR", new Uint8Array(header.buffer)), chunk("sRGB", Uint8Array.of(0))];
+    const [name, data] = SPACES[space];
+    this.#parts = [SIGNATURE, chunk("IHDR", new Uint8Array(header.buffer)), chunk(name, Uint8Array.from(data))];
     this.#reading = this.#read();
   }
 

@@ -1,5 +1,7 @@
 // Files of what is seen: a worker of their own makes them, so that the page goes on; to cancel is to end it.
 
+import { WORKER } from "./colours.js";
+
 /** @typedef {import("./save-menu.js").Picture} Picture */
 /** @typedef {import("./plate.js").Wanted} Wanted */
 /** @typedef {import("./serve.js").Saved} Saved */
@@ -17,7 +19,7 @@ export class Saver {
   /** A file; null when it was cancelled. @param {object} job @param {Picture} picture @param {Wanted} wanted @param {(share: number) => void} onShare @returns {Promise<Blob | null>} */
   make(job, { pixels, frame, file }, wanted, onShare) {
     this.cancel();
-    const worker = new Worker(this.#script, { type: "module" });
+    const worker = new Worker(this.#script, WORKER);
     this.#worker = worker;
     /** @type {Promise<Blob | null>} */
     const made = new Promise((resolve, reject) => {

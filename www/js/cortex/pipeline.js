@@ -1,6 +1,7 @@
 // From a picture and a fixation point to what both hemispheres receive, the lines over it, and what of it can be recovered.
 
 import { FoveatedTexture, Region, RetinoCorticalMap, Texture } from "../../pkg/index.js";
+import { offscreen } from "../common/colours.js";
 import { flatten, unflatten } from "../common/frame.js";
 import { readOutline } from "../editor/read-outline.js";
 import { GRID, onSide, SMALL_CIRCLES } from "./field.js";
@@ -290,8 +291,7 @@ function parseOutline(text, scale) {
 function cutFrom(bitmap, frame, fixation, size) {
   const { width, height } = bitmap;
   const picture = { ...frame, pixels: /** @type {Point} */ ([width, height]) };
-  const context = new OffscreenCanvas(size, size).getContext("2d", { willReadFrequently: true });
-  if (!context) throw new Error("This browser gives no 2d canvas.");
+  const context = offscreen(size, size);
   context.imageSmoothingQuality = "high";
   /** @type {FoveatedTexture | undefined} */
   let stack;

@@ -47,7 +47,7 @@ export class Overlays {
   heat(side, shown) {
     const { heat } = this.#over[side];
     if (!shown.heat || !heat) return null;
-    return (this.#heats[side] ??= { picture: canvasOf(heat.pixels, heat.frame.pixels), frame: heat.frame });
+    return (this.#heats[side] ??= { picture: canvasOf(heat.pixels, heat.frame.pixels, "srgb"), frame: heat.frame });
   }
 }
 

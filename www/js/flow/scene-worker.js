@@ -1,5 +1,6 @@
 // The worker that makes files of flows and fields.
 
+import { imageOf, offscreen } from "../common/colours.js";
 import { scaledTo } from "../common/frame.js";
 import { serveJobs } from "../common/serve.js";
 import { drawBodies, drawGround, drawLines, drawMarks } from "./scene.js";
@@ -9,6 +10,8 @@ import { drawBodies, drawGround, drawLines, drawMarks } from "./scene.js";
 /** @typedef {import("./scene.js").Scene} Scene */
 /** `density`: pixels of the picture that stand for one of the page. @typedef {{ version: number, scene: Scene, frame: Frame, density: number, drawing: boolean, name: string }} Job */
 
+/** Scales of colours are sRGB's. */
+const SPACE_OF_PLATES = "srgb";
 /** Rows that are drawn at once. */
 const BAND = 512;
 
@@ -22,12 +25,11 @@ serveJobs({
   /** @param {Job} job @returns {Promise<import("../common/plate.js").Plate>} */
   async plate({ scene, frame, density, drawing, name }) {
     const { plate } = scene;
-    const colours = plate && (await createImageBitmap(new ImageData(plate.pixels, ...plate.size)));
+    const colours = plate && (await createImageBitmap(imageOf(plate.pixels, ...plate.size, SPACE_OF_PLATES)));
     /** @param {[number, number]} rows @param {(drawing: Drawing) => void} draw */
     const band = ([from, to], draw) => {
       const [width, height] = [frame.pixels[0], to - from];
-      const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
-      if (!context) throw new Error("This browser gives no 2d canvas.");
+      const context = offscreen(width, height, SPACE_OF_PLATES);
       context.translate(0, -from);
       draw({ context, frame, density });
       return context.getImageData(0, 0, width, height).data;
@@ -45,6 +47,7 @@ serveJobs({
         drawLines(on, scene);
         drawMarks(on, scene);
       }),
+      space: SPACE_OF_PLATES,
       panels: drawing ? [{ name, frame: scaledTo(frame, 1000), layers: layersOf(scene) }] : [],
       free: () => colours?.close(),
     };

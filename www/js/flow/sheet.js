@@ -43,7 +43,7 @@ export class Sheet {
     const { grid, plate } = scene;
     const [columns, rows] = grid.pixels;
     const width = this.#canvas.clientWidth;
-    if (plate && this.#laid?.plate !== plate) this.#laid = { plate, canvas: canvasOf(plate.pixels, plate.size) };
+    if (plate && this.#laid?.plate !== plate) this.#laid = { plate, canvas: canvasOf(plate.pixels, plate.size, "srgb") };
     drawScene(this.#layer.begin({ ...grid, pixels: [width, (width * rows) / columns] }), scene, plate && (this.#laid?.canvas ?? null));
   }
 }

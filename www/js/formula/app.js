@@ -237,8 +237,8 @@ function turnCut(turn) {
 
 /** @param {Result} result @param {boolean} done */
 function onResult(result, done) {
-  source.paint(result.sourcePixels, result.source);
-  target.paint(result.targetPixels, result.target);
+  source.paint(result.sourcePixels, result.source, result.space);
+  target.paint(result.targetPixels, result.target, result.space);
   probe.refresh();
   const kind = result.dilatation ? dilatationWords(result.dilatation) : "Analytic: angles are kept.";
   const cut = compiled.branching && isTurned(state.cut) ? ` Logarithms, roots and powers have their cut at ${Math.round(state.cut.angle)}°, on sheet ${state.cut.sheet}.`.replace("-", "−").replace("sheet -", "sheet −") : "";

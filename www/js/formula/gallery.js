@@ -1,6 +1,7 @@
 // The presets as small pictures to choose from, which a worker draws.
 
 import { contextOf, drawnCanvas } from "../common/canvas.js";
+import { imageOf, WORKER } from "../common/colours.js";
 
 /** @typedef {import("../../pkg/index.js").Preset} Preset */
 /** @typedef {import("../common/images.js").Picture} Picture */
@@ -24,10 +25,10 @@ export async function showGallery(list, presets, picture) {
     return canvas;
   });
   const textures = { photo: small(await picture("photo")), lattice: small(await picture("lattice")) };
-  const worker = new Worker(new URL("./gallery-worker.js", import.meta.url), { type: "module" });
+  const worker = new Worker(new URL("./gallery-worker.js", import.meta.url), WORKER);
   worker.onerror = (event) => event.preventDefault();
   worker.onmessage = ({ data: { index, pixels } }) => {
-    contextOf(canvases[index]).putImageData(new ImageData(pixels, SIDE, SIDE), 0, 0);
+    contextOf(canvases[index]).putImageData(imageOf(pixels, SIDE, SIDE), 0, 0);
     if (index === presets.length - 1) worker.terminate();
   };
   worker.postMessage({ presets, textures, side: SIDE, textureSide: TEXTURE_SIDE });

@@ -1,6 +1,7 @@
 // From a formula to two pictures: the texture's own plane, and what the formula makes of it. Slow ones come coarse to fine.
 
 import { FormulaMap, presets, Texture } from "../../pkg/index.js";
+import { SPACE } from "../common/colours.js";
 import { flatten, onGrid, scaledTo, unflatten } from "../common/frame.js";
 import { compile } from "./compile.js";
 import { turned } from "./cut.js";
@@ -28,7 +29,7 @@ import { drawLevels, portray, valuesOver } from "./portrait.js";
  * texture's plane and of the warped one
  */
 /** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
-/** @typedef {{ version: number, source: Frame, target: Frame, sourcePixels: Pixels, targetPixels: Pixels, warpMs: number, dilatation: import("./dilatation.js").Dilatation | null }} Result `dilatation` of what is not analytic, over the plane on which it is evaluated */
+/** @typedef {{ version: number, source: Frame, target: Frame, sourcePixels: Pixels, targetPixels: Pixels, warpMs: number, dilatation: import("./dilatation.js").Dilatation | null, space: PredefinedColorSpace }} Result `dilatation` of what is not analytic, over the plane on which it is evaluated */
 /** @typedef {import("../common/placement.js").Placement} Placement */
 /**
  * @typedef {{ what: "presets" } | { what: "compile", text: string, params: Record<string, Point> } | ({ what: "points" } & Typed & { points: Point[] })
@@ -126,6 +127,7 @@ export class FormulaPipeline {
       frame: view,
       band: pulling || colours !== "picture" ? 128 : Math.min(view.pixels[1], WHOLE),
       draw: (rows) => (colours === "picture" ? map.warp(texture, { texture: frame, view, direction, quality: "best", rows }) : coloured(pulling ? map : null, job, { view, rows })),
+      space: spaceOf(colours),
       tint: lines === "none" ? null : (rows) => overlaid(map, job, view, rows),
       panels: job.drawing ? panels : [],
       free: () => map.free(),
@@ -201,7 +203,7 @@ async function drawBoth({ map, identity, texture, job, begin, dilatation }, side
   });
   const warpMs = performance.now() - (side === job.target.pixels[0] ? begin : started);
   /** @type {Result} */
-  const result = { version, source, target, sourcePixels, targetPixels, warpMs, dilatation };
+  const result = { version, source, target, sourcePixels, targetPixels, warpMs, dilatation, space: spaceOf(colours) };
   return { result, transfer: [sourcePixels.buffer, targetPixels.buffer] };
 }
 
@@ -234,6 +236,9 @@ function overlaid(map, job, view, rows) {
   identity?.free();
   return out;
 }
+
+/** Schemes of colours are sRGB's. @param {Colours} colours @returns {PredefinedColorSpace} */
+const spaceOf = (colours) => (colours === "picture" ? SPACE : "srgb");
 
 /** @param {Float64Array[]} lines @returns {import("../common/layers.js").Layer[]} */
 const inked = (lines) => [{ ink: "lines", lines }];
