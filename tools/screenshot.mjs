@@ -1,15 +1,23 @@
-// node tools/screenshot.mjs: the README's pictures of the pages, docs/screenshot.jpg and docs/flow.jpg. The package must be built.
+// node tools/screenshot.mjs [name …]: pictures of the pages for README.md and docs/PAGES.md. The package must be built.
 
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { launchChromium } from "./chromium.mjs";
 import { serve } from "./server.mjs";
-import { main, root } from "./steps.mjs";
+import { Failure, main, root } from "./steps.mjs";
 
-/** The pictures, each of a page at an address; `wait`: until specks have trails, in milliseconds. */
+/** @typedef {{ name: string, address: string, size: [number, number], density?: number, dark?: boolean, wait?: number }} Picture `wait`: until specks have trails, in milliseconds */
+
+/** Each of a page at an address. @type {Picture[]} */
 const PICTURES = [
-  { name: "screenshot", address: "#show=grid", height: 745, wait: 0 },
-  { name: "flow", address: "flow.html#body=flap&angle=4", height: 720, wait: 3000 },
+  { name: "screenshot", address: "#show=grid", size: [1280, 745], density: 1.5 },
+  { name: "flow", address: "flow.html#body=flap&angle=4", size: [1280, 720], density: 1.5, wait: 3000 },
+  { name: "page-pair", address: "regions.html", size: [1280, 720], dark: true },
+  { name: "page-cut", address: "formula.html#f=sqrt(z%5E2-1)&colours=contours&view=0,0,4&cut=60", size: [1280, 720] },
+  { name: "page-ellipses", address: "formula.html#f=z%2Bconj(z)%5E2/4&lines=ellipses&density=10&view=0,0,3&image=chelsea&wrap=mirror", size: [1280, 720], dark: true },
+  { name: "page-cortex", address: "cortex.html", size: [1280, 880] },
+  { name: "page-fields", address: "fields.html#set=three", size: [1280, 720], dark: true },
+  { name: "page-phone", address: "#shape=star", size: [390, 844], density: 1.25 },
 ];
 
 await main(async () => {
@@ -17,14 +25,17 @@ await main(async () => {
   mkdirSync(folder, { recursive: true });
   const server = await serve(join(root, "www"));
   const browser = await launchChromium();
-  for (const { name, address, height, wait } of PICTURES) {
-    const page = await browser.newPage({ viewport: { width: 1280, height }, deviceScaleFactor: 1.5 });
+  const wanted = process.argv.slice(2);
+  for (const { name, address, size: [width, height], density = 1, dark = false, wait = 0 } of PICTURES) {
+    if (wanted.length && !wanted.includes(name)) continue;
+    const page = await browser.newPage({ viewport: { width, height }, deviceScaleFactor: density, colorScheme: dark ? "dark" : "light" });
     await page.goto(`${server.url}${address}`);
     await page.waitForFunction(() => document.body.dataset.state === "ready");
     await page.evaluate(() => document.fonts.ready);
     await page.waitForTimeout(wait);
+    if (await page.locator("#remark").isVisible()) throw new Failure(await page.locator("#remark").innerText());
     const path = join(folder, `${name}.jpg`);
-    await page.screenshot({ path, type: "jpeg", quality: 82 });
+    await page.screenshot({ path, type: "jpeg", quality: density > 1 ? 82 : 76 });
     await page.close();
     console.log(path);
   }
