@@ -65,6 +65,8 @@ export function dilatationOver(map, { center, width, pixels }) {
 /** Differences leave so much where there is nothing. */
 const NOTHING = 1e-6;
 
+/** |μ|, which no line's end may part. */
+const SIZE = "|\u2060μ\u2060|";
 /** Longer ellipses are as good as flat. */
 const FLAT = 1000;
 
@@ -72,10 +74,10 @@ const FLAT = 1000;
 export function dilatationWords({ longest, most, least }) {
   if (most < NOTHING) return "Not written as an analytic formula, but angles are kept all over this view.";
   if (least > 1 / NOTHING) return "Not analytic: angles are kept, but the other way round (f_z = 0).";
-  if (least > 1 - NOTHING && most < 1 + NOTHING) return "Not analytic: all is pressed onto curves (|μ| = 1).";
+  if (least > 1 - NOTHING && most < 1 + NOTHING) return `Not analytic: all is pressed onto curves (${SIZE} = 1).`;
   const sense = least > 1 ? ", turned the other way round" : most > 1 + NOTHING ? ", in places turned the other way round" : "";
-  const length = longest < FLAT ? `up to ${longest.toFixed(longest < 10 ? 2 : 0)} times as long as wide` : "flat where |μ| = 1";
-  const range = least > 1 ? `|μ| at least ${least.toFixed(2)}` : `|μ| up to ${most < FLAT ? most.toFixed(2) : "∞"}`;
+  const length = longest < FLAT ? `up to ${longest.toFixed(longest < 10 ? 2 : 0)} times as long as wide` : `flat where ${SIZE} = 1`;
+  const range = least > 1 ? `${SIZE} at least ${least.toFixed(2)}` : `${SIZE} up to ${most < FLAT ? most.toFixed(2) : "∞"}`;
   return `Not analytic: circles become ellipses${sense}, ${length} (${range}).`;
 }
 
@@ -90,8 +92,8 @@ export function placeWords({ p, q }) {
   return `f stretches ${short(most)} times along and ${short(least < NOTHING * most ? 0 : least)} across${sense}: |f_z| = ${short(size)}, |f_z̄| = ${short(turned < NOTHING * size ? 0 : turned)}, μ = ${dilatation}.`;
 }
 
-/** @param {number} x */
-const short = (x) => String(Number(x.toPrecision(3))).replace("-", "−");
+/** With three digits, and none beyond four places. @param {number} x */
+const short = (x) => String(Math.abs(x) < 0.1 ? Number(x.toFixed(4)) : Number(x.toPrecision(3))).replace("-", "−");
 
 /** @param {number[]} z */
 function complex([x, y]) {

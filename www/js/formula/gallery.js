@@ -7,7 +7,7 @@ import { imageOf, WORKER } from "../common/colours.js";
 /** @typedef {import("../common/images.js").Picture} Picture */
 
 /** Pixels of a thumbnail, and of the texture that it is made from. */
-const SIDE = 160;
+const SIDE = 216;
 const TEXTURE_SIDE = 256;
 
 /**
