@@ -36,8 +36,8 @@ pub enum Error {
         /// What is wrong with it.
         reason: String,
     },
-    /// The boundary turns back on itself at a point: an interior angle of 0 or 2π.
-    #[error("The boundary has a cusp near {}, where edge {edge} starts: edges must meet at an angle.", place(.at))]
+    /// The boundary turns back on itself at a point: an interior angle of 2π, or of 0 between edges that never part.
+    #[error("The boundary has a cusp near {}, where edge {edge} starts: it turns back there around what is outside.", place(.at))]
     Cusp {
         /// Index of the edge that starts there.
         edge: usize,

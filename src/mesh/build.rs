@@ -56,7 +56,8 @@ impl JointTriangulation {
     /// Region → region through the disk: center goes to center, `toward` to `toward`, and each outline to the other.
     ///
     /// # Errors
-    /// As [`JointTriangulation::region_to_disk`], and [`Error::TooFarApart`] where nobody can tell what belongs together.
+    /// As [`JointTriangulation::region_to_disk`], and [`Error::TooFarApart`] where nobody can tell what belongs together. `to` may
+    /// have no corners of angle 0.
     pub fn region_to_region(from: &RiemannMap, to: &RiemannMap, options: &MeshOptions) -> Result<Self> {
         Self::region_to_region_with(from, to, options, &mut |_, _| true)
     }
@@ -77,6 +78,10 @@ impl JointTriangulation {
         ready(to, progress)?;
         let exact = RegionMap::between(from, to);
         exact.check()?;
+        if let Some(at) = to.region().curved().and_then(|outline| outline.tip()) {
+            // All that comes to lie in a horn is one point of the source.
+            return Err(Error::Crowded { at });
+        }
         match options.route {
             Route::Exact => between(&exact, options, progress),
             Route::Located => located(&exact, options, progress),

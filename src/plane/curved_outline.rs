@@ -1,6 +1,7 @@
 //! A closed chain of analytic edges.
 
 use super::edge_pieces::EdgePieces;
+use super::horn::CutHorns;
 use super::polygon::ON_BOUNDARY;
 use super::{BoundaryPoint, Complex64, Edge, Polygon};
 use crate::{Error, Result};
@@ -10,14 +11,14 @@ use std::f64::consts::PI;
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvedOutline {
     edges: Vec<Edge>,
-    /// Interior angle where each edge starts, divided by π, in (0, 2).
+    /// Interior angle where each edge starts, divided by π, in [0, 2).
     alpha: Vec<f64>,
     size: f64,
+    /// Of the chain without the tips of its horns.
     pieces: EdgePieces,
+    horns: Option<CutHorns>,
 }
 
-/// Corners of angles nearer to 0 or 2π than this are cusps, in radians.
-const CUSP: f64 = 1e-6;
 /// Ends that are apart less than this share of the outline's size are one point.
 const JOINED: f64 = 1e-9;
 /// By how much more than vertices points of curves are rounded.
@@ -27,7 +28,8 @@ impl CurvedOutline {
     /// A chain of edges around a region, in either orientation; one that runs clockwise is turned around.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::InvalidOutline`] for gaps between edges and edges of no length; [`Error::Cusp`];
+    /// [`Error::NotFinite`]; [`Error::InvalidOutline`] for gaps between edges and edges of no length; [`Error::Cusp`] for interior
+    /// angles of 2π;
     /// [`Error::SelfIntersecting`] if edges cross or touch themselves or others.
     pub fn new(edges: &[Edge]) -> Result<Self> {
         let n = edges.len();
@@ -53,16 +55,25 @@ impl CurvedOutline {
                 return Err(wrong(format!("edge {k} has no length")));
             }
         }
-        for k in 0..n {
-            let turn = turn_before(edges, k);
-            if turn.abs() > PI - CUSP {
-                return Err(Error::Cusp { edge: k, at: edges[k].from() });
-            }
+        let horns = CutHorns::thin(edges, size)?;
+        let (pieces, clockwise) = match &horns {
+            Some(horns) => EdgePieces::new(horns.edges(), size).map_err(|error| horns.named(error))?,
+            None => EdgePieces::new(edges, size)?,
+        };
+        let turned = || edges.iter().rev().map(Edge::reversed).collect::<Vec<_>>();
+        if clockwise && horns.is_some() {
+            return Self::new(&turned());
         }
-        let (pieces, clockwise) = EdgePieces::new(edges, size)?;
-        let edges = if clockwise { edges.iter().rev().map(Edge::reversed).collect() } else { edges.to_vec() };
-        let alpha = (0..n).map(|k| 1.0 - turn_before(&edges, k) / PI).collect();
-        Ok(Self { edges, alpha, size, pieces })
+        let edges = if clockwise { turned() } else { edges.to_vec() };
+        let mut alpha: Vec<f64> = (0..n).map(|k| 1.0 - turn_before(&edges, k) / PI).collect();
+        for (cut, corner) in horns.iter().flat_map(CutHorns::cuts) {
+            // The horn must be the region's, not that of what is outside.
+            if turn_before(horns.as_ref().map_or(&[], CutHorns::edges), cut) < 0.0 {
+                return Err(Error::Cusp { edge: corner, at: edges[corner].from() });
+            }
+            alpha[corner] = 0.0;
+        }
+        Ok(Self { edges, alpha, size, pieces, horns })
     }
 
     /// The edges, counter-clockwise.
@@ -87,7 +98,19 @@ impl CurvedOutline {
     #[must_use]
     pub fn moved(&self, by: Complex64) -> Self {
         let edges = self.edges.iter().map(|edge| edge.moved(by)).collect();
-        Self { edges, pieces: self.pieces.moved(by), ..self.clone() }
+        let horns = self.horns.as_ref().map(|horns| horns.moved(by));
+        Self { edges, pieces: self.pieces.moved(by), horns, ..self.clone() }
+    }
+
+    /// A corner of interior angle 0, if it has one.
+    pub(crate) fn tip(&self) -> Option<Complex64> {
+        let corner = self.alpha.iter().position(|alpha| *alpha == 0.0)?;
+        Some(self.edges[corner].from())
+    }
+
+    /// Its horns, corners of interior angle 0, if it has any.
+    pub(crate) fn horns(&self) -> Option<&CutHorns> {
+        self.horns.as_ref()
     }
 
     /// Lower left and upper right corners of the bounding box.
@@ -115,20 +138,33 @@ impl CurvedOutline {
             return f64::NEG_INFINITY;
         }
         let (_, distance) = self.pieces.nearest(z);
-        if self.pieces.contains(z) { distance } else { -distance }
+        let in_tip = || self.horns.as_ref().is_some_and(|horns| horns.in_tip(z, self.thickness()).is_some());
+        match self.pieces.contains(z) {
+            true => distance,
+            false if in_tip() => 0.0,
+            false => -distance,
+        }
     }
 
     /// The point of the edges nearest to `z`: edge and parameter t in [0, 1).
     #[must_use]
     pub fn nearest(&self, z: Complex64) -> BoundaryPoint {
-        self.pieces.nearest(z).0
+        let (place, _) = self.pieces.nearest(z);
+        let Some(horns) = &self.horns else { return place };
+        let (edge, t) = horns.outer(place.edge, place.t);
+        let is_cut = horns.cuts().any(|(cut, _)| cut == place.edge);
+        BoundaryPoint { edge, t, point: if is_cut { self.edges[edge].from() } else { place.point } }
     }
 
     /// The point of the edges that `z` is, up to rounding.
     #[must_use]
     pub fn on_edge(&self, z: Complex64) -> Option<BoundaryPoint> {
-        let (place, distance) = self.pieces.nearest(z);
-        (distance <= self.thickness()).then_some(place)
+        let thickness = self.thickness();
+        if self.pieces.nearest(z).1 <= thickness {
+            return Some(self.nearest(z));
+        }
+        let (edge, t) = self.horns.as_ref()?.in_tip(z, thickness)?;
+        Some(self.place(edge, t))
     }
 
     /// Points as near to the edges as this are on them, as far as numbers can tell.
@@ -340,15 +376,38 @@ mod tests {
     }
 
     #[test]
-    fn gaps_and_cusps_are_refused() {
+    fn gaps_are_refused_and_horns_of_what_is_outside() {
         let [line, arc] = half_disk();
         let gap = [line, arc.moved(Complex64::new(0.0, 0.1))];
         assert!(CurvedOutline::new(&gap).is_err());
         let inner = Edge::circular(Complex64::new(0.5, 0.0), 0.5, PI, -PI);
         let small = Edge::circular(Complex64::new(-0.5, 0.0), 0.5, PI, -PI);
-        // Three half circles: the arbelos has cusps.
+        // Three half circles: the horns of the arbelos are its own, those of what is below it are not.
         let arbelos = [small, inner, arc];
-        let error = CurvedOutline::new(&arbelos).unwrap_err();
+        let outline = CurvedOutline::new(&arbelos).unwrap();
+        assert_eq!((0..3).map(|k| outline.alpha(k)).collect::<Vec<_>>(), [0.0; 3]);
+        let at = Complex64::new;
+        for tip in [at(-1.0, 0.0), at(0.0, 0.0), at(1.0, 0.0)] {
+            assert!(
+                outline.contains(tip)
+                    && outline.on_edge(tip).is_some()
+                    && (outline.nearest(tip).point - tip).norm() < 1e-15
+            );
+            assert!(outline.signed_distance(tip) == 0.0 && !outline.contains(tip - at(0.0, 1e-9)));
+        }
+        // In the tips, and beside them.
+        for depth in [1e-7, 1e-6, 1e-4, 0.1] {
+            assert!(outline.contains(at(0.0, depth)), "{depth}");
+            assert!(!outline.contains(at(3.0 * depth * depth, depth)), "{depth}");
+        }
+        let below = [
+            small,
+            inner,
+            Edge::line(at(1.0, 0.0), at(1.0, -1.0)),
+            Edge::line(at(1.0, -1.0), at(-1.0, -1.0)),
+            Edge::line(at(-1.0, -1.0), at(-1.0, 0.0)),
+        ];
+        let error = CurvedOutline::new(&below).unwrap_err();
         assert!(error.to_string().contains("cusp"), "{error}");
     }
 }

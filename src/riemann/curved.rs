@@ -5,7 +5,7 @@ use super::atlas::quadtree::square_around;
 use super::cauchy_tree::{CauchyTree, Leaf};
 use super::rounding::{is_on_circle, is_outside_disk, onto_disk};
 use super::solved_region::{Evidence, SolvedRegion};
-use crate::plane::{BoundaryPoint, Complex64, CurvedOutline, Region};
+use crate::plane::{BoundaryPoint, Complex64, CurvedOutline, CutHorns, Region};
 use crate::stored::{Reader, Writer};
 use crate::symm::curved_cauchy::Side;
 use crate::symm::curved_solution::CurvedSolution;
@@ -21,7 +21,10 @@ pub(super) struct SolvedEdges {
     /// Where `region` has its 0.
     origin: Complex64,
     region: Region,
+    /// The boundary that was solved: the region's, but for the tips of horns.
     outline: Arc<CurvedOutline>,
+    /// What was cut off: of less measure than rounding.
+    horns: Option<CutHorns>,
     solution: CurvedSolution,
     /// Region → disk, and back; made when first asked for.
     trees: OnceLock<[CauchyTree; 2]>,
@@ -33,8 +36,9 @@ const SHARE_OF_ERROR: f64 = 1e-3;
 const LARGEST_ERROR: f64 = 1e-6;
 
 impl SolvedEdges {
-    fn new(origin: Complex64, region: Region, outline: Arc<CurvedOutline>, solution: CurvedSolution) -> Self {
-        Self { origin, region, outline, solution, trees: OnceLock::new() }
+    fn new(origin: Complex64, region: Region, boundary: Boundary, solution: CurvedSolution) -> Self {
+        let (outline, horns) = boundary;
+        Self { origin, region, outline, horns, solution, trees: OnceLock::new() }
     }
 
     /// Good to [`SolvedEdges::series_error`].
@@ -69,9 +73,9 @@ impl SolvedEdges {
     /// As [`solve_curved`].
     pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Result<Option<Self>> {
         let (origin, region) = region.local();
-        let Some(outline) = region.curved().cloned() else { return Ok(None) };
-        let solution = solve_curved(&outline, region.center(), options, progress)?;
-        Ok(Some(Self::new(origin, region, outline, solution)))
+        let Some(boundary) = without_tips(&region)? else { return Ok(None) };
+        let solution = solve_curved(&boundary.0, region.center(), options, progress)?;
+        Ok(Some(Self::new(origin, region, boundary, solution)))
     }
 
     /// Reads what [`SolvedRegion::store`] wrote.
@@ -81,9 +85,9 @@ impl SolvedEdges {
     pub fn restore(region: &Region, from: &mut Reader) -> Result<Self> {
         let (origin, region) = region.local();
         let damaged = Error::Damaged { reason: "its boundary does not consist of edges" };
-        let outline = region.curved().cloned().ok_or(damaged)?;
-        let solution = CurvedSolution::restore(&outline, region.center(), from)?;
-        Ok(Self::new(origin, region, outline, solution))
+        let boundary = without_tips(&region)?.ok_or(damaged)?;
+        let solution = CurvedSolution::restore(&boundary.0, region.center(), from)?;
+        Ok(Self::new(origin, region, boundary, solution))
     }
 
     fn unit(&self) -> f64 {
@@ -92,9 +96,41 @@ impl SolvedEdges {
 
     /// The point of the outline at edge and parameter, in plane units.
     fn place(&self, (edge, t): (usize, f64)) -> BoundaryPoint {
-        let place = self.outline.place(edge, t);
+        let (outline, (edge, t)) = match (&self.horns, self.region.curved()) {
+            (Some(horns), Some(whole)) => (whole, horns.outer(edge, t)),
+            _ => (&self.outline, (edge, t)),
+        };
+        let place = outline.place(edge, t);
         BoundaryPoint { point: place.point + self.origin, ..place }
     }
+
+    /// Edge and parameter of the region's boundary → of the one that was solved.
+    fn solved(&self, place: BoundaryPoint) -> (usize, f64) {
+        self.horns.as_ref().map_or((place.edge, place.t), |horns| horns.inner(place.edge, place.t))
+    }
+
+    /// Where the tip of the horn that holds `z` goes, if one does: all that is in it lies there up to rounding, and the map stands still.
+    fn in_tip(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        let horns = self.horns.as_ref()?;
+        if !self.region.contains(z) || self.outline.contains(z) {
+            return None;
+        }
+        let place = self.region.nearest(z);
+        let (w, _) = self.solution.on_circle(horns.behind(place.edge, place.t)?, 0.0);
+        Some((w, Complex64::ZERO))
+    }
+}
+
+/// The boundary to be solved, with what was cut off.
+type Boundary = (Arc<CurvedOutline>, Option<CutHorns>);
+
+/// The boundary without the tips of its horns that are not seen from the center; `None` if it does not consist of edges.
+fn without_tips(region: &Region) -> Result<Option<Boundary>> {
+    let Some(outline) = region.curved() else { return Ok(None) };
+    let Some(horns) = outline.horns() else { return Ok(Some((Arc::clone(outline), None))) };
+    let cut = horns.unseen(region.center());
+    let outline = CurvedOutline::new(cut.edges()).map_err(|error| cut.named(error))?;
+    Ok(Some((Arc::new(outline), Some(cut))))
 }
 
 impl SolvedRegion for SolvedEdges {
@@ -119,16 +155,26 @@ impl SolvedRegion for SolvedEdges {
         progress: Progress,
     ) -> Result<Arc<dyn SolvedRegion>> {
         let region = self.region.with_center(center - self.origin, self.region.toward().point)?;
+        if self.horns.is_some() {
+            // Other tips are seen from there.
+            let boundary = without_tips(&region)?.unwrap_or((Arc::clone(&self.outline), None));
+            let solution = solve_curved(&boundary.0, region.center(), options, progress)?;
+            return Ok(Arc::new(Self::new(self.origin, region, boundary, solution)));
+        }
         let solution = solve_curved_again(&self.solution, region.center(), options, progress)?;
-        Ok(Arc::new(Self::new(self.origin, region, Arc::clone(&self.outline), solution)))
+        Ok(Arc::new(Self::new(self.origin, region, (Arc::clone(&self.outline), None), solution)))
     }
 
     fn vertex_measures(&self) -> Vec<f64> {
-        self.solution.vertex_measures()
+        let measures = self.solution.vertex_measures();
+        let Some(horns) = &self.horns else { return measures };
+        let edges = self.region.curved().map_or(0, |outline| outline.edges().len());
+        (0..edges).map(|edge| measures[horns.corner(edge)]).collect()
     }
 
     fn measure_at(&self, point: BoundaryPoint) -> f64 {
-        self.solution.measure_at(point.edge, point.t)
+        let (edge, t) = self.solved(point);
+        self.solution.measure_at(edge, t)
     }
 
     fn boundary_point(&self, measure: f64) -> BoundaryPoint {
@@ -145,11 +191,17 @@ impl SolvedRegion for SolvedEdges {
         let scaled = z * self.unit();
         let (w, slope) = match tree.find(scaled, &self.solution) {
             Some(Leaf::Series(series)) => series.at(scaled),
-            Some(Leaf::Outside) => return None,
+            Some(Leaf::Outside) => self.in_tip(z)?,
             _ => match self.region.on_boundary(z) {
-                Some(place) => self.solution.on_circle(place.edge, place.t),
+                Some(place) => {
+                    let (edge, t) = self.solved(place);
+                    self.solution.on_circle(edge, t)
+                }
                 None if !self.region.contains(z) => return None,
-                None => self.inside(scaled)?,
+                None => match self.in_tip(z) {
+                    Some(found) => found,
+                    None => self.inside(scaled)?,
+                },
             },
         };
         Some((DiskPoint::flat(onto_disk(w)), slope * self.unit()))

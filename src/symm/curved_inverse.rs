@@ -15,9 +15,11 @@ const ROUNDING: f64 = 4e-15;
 const POLISHED: f64 = 0.1;
 /// Ways that are seen, in scaled units.
 const LONG_WAY: f64 = 1e-5;
-/// Steps from the center outwards are no shorter than this, as shares of the radius, nor than this share of the estimate.
+/// Steps from the center outwards are no shorter than this, as shares of the radius.
 const SHORTEST_STEP: f64 = 1e-12;
-const SHARE_OF_ESTIMATE: f64 = 0.01;
+/// From a good guess Newton's method takes no more steps than this, none of them shortened to less than this share.
+const NEWTON_STEPS: usize = 10;
+const SHORTENED: f64 = 0.1;
 
 impl CurvedSolution {
     /// Disk (vertex 0 ↦ 1) → region, and the derivative of the way there, in scaled units; `None` where it is not found.
@@ -117,7 +119,7 @@ impl CurvedSolution {
         let mut z = guess;
         let (f, mut slope) = map(z)?;
         let mut miss = w - f;
-        for _ in 0..40 {
+        for _ in 0..NEWTON_STEPS {
             let step = miss / slope;
             if !step.is_finite() {
                 return None;
@@ -127,7 +129,7 @@ impl CurvedSolution {
                 let there = z + step * share;
                 match map(there) {
                     Some((f, slope)) if (w - f).norm() < miss.norm() => break Some((there, w - f, slope)),
-                    _ if share > 1e-4 => share *= 0.5,
+                    _ if share > SHORTENED => share *= 0.5,
                     _ => break None,
                 }
             };
@@ -162,7 +164,7 @@ impl CurvedSolution {
                 }
                 None => step *= 0.5,
             }
-            if step < SHORTEST_STEP.max(SHARE_OF_ESTIMATE * self.error_estimate) {
+            if step < SHORTEST_STEP || w.norm() * (1.0 - share) <= self.error_estimate {
                 break;
             }
         }

@@ -85,3 +85,31 @@ fn regions_of_curves_go_onto_each_other_and_onto_polygons() {
         back.validate().unwrap();
     }
 }
+
+#[test]
+fn regions_with_horns_are_triangulated_up_to_their_tips() {
+    let arbelos = parse_path("M 1 0 A 1 1 0 0 1 -1 0 A 0.5 0.5 0 0 0 0 0 A 0.5 0.5 0 0 0 1 0 Z").unwrap();
+    let arbelos = solve(&Region::from_edges(&arbelos, c(0.0, 0.7), c(0.0, 0.0)).unwrap(), 1e-8);
+    let crescent =
+        [Edge::circular(Complex64::ZERO, 1.0, 0.0, 2.0 * PI), Edge::circular(c(0.5, 0.0), 0.5, 0.0, -2.0 * PI)];
+    let crescent = solve(&Region::from_edges(&crescent, c(-0.5, 0.0), c(-1.0, 0.0)).unwrap(), 1e-8);
+    let frame = Frame::new(Complex64::ZERO, 2.0, [400, 400]).unwrap();
+    let half = half_disk();
+    let options = MeshOptions::quarter_pixel(frame);
+    for mesh in [
+        JointTriangulation::region_to_disk(&arbelos, &options),
+        JointTriangulation::region_to_region(&arbelos, &half, &options),
+    ] {
+        let mesh = mesh.unwrap();
+        mesh.validate().unwrap();
+        assert_eq!((mesh.flipped(), mesh.evidence().stop), (0, MeshStop::Density));
+        assert_on_the_outline(&mesh, &arbelos);
+    }
+    // Places in a horn cannot be told apart elsewhere, nor can the two that the crescent's tip is.
+    for refused in [
+        JointTriangulation::region_to_region(&half, &arbelos, &options),
+        JointTriangulation::region_to_disk(&crescent, &options),
+    ] {
+        assert_eq!(refused.unwrap_err().code(), "crowded");
+    }
+}

@@ -49,7 +49,11 @@ fn tile(p: u32, q: u32) -> Vec<Edge> {
 }
 
 /// Largest errors of f, of the way back (measured in the disk) and of f' at points.
-fn errors_of(map: &RiemannMap, points: &[Complex64], exact: impl Fn(Complex64) -> (Complex64, Complex64)) -> [f64; 3] {
+pub(super) fn errors_of(
+    map: &RiemannMap,
+    points: &[Complex64],
+    exact: impl Fn(Complex64) -> (Complex64, Complex64),
+) -> [f64; 3] {
     let truth: Vec<_> = points.iter().map(|z| exact(*z)).collect();
     let images: Vec<_> = truth.iter().map(|(w, _)| *w).collect();
     let (there, back, slopes) = (map.to_disk(points), map.from_disk(&images), map.derivative(points));
@@ -230,6 +234,56 @@ fn ellipse_of_arcs_is_an_ellipse() {
     let estimate = map.error_estimate();
     assert!(forth < 1e-12 && back < 1e-12 && forth.max(back) <= estimate, "{forth:e} {back:e} {estimate:e}");
     assert!(slope < 1e-10, "{slope:e}");
+}
+
+/// A closed curve as cubic pieces of equal parameters with its tangents at their ends.
+fn in_beziers(pieces: u32, curve: impl Fn(f64) -> (Complex64, Complex64)) -> Vec<Edge> {
+    let step = TAU / f64::from(pieces);
+    let piece = |k: u32| {
+        let [(a, along), (b, on)] = [k, (k + 1) % pieces].map(|k| curve(step * f64::from(k)));
+        Edge::Cubic([a, a + along * step / 3.0, b - on * step / 3.0, b])
+    };
+    (0..pieces).map(piece).collect()
+}
+
+/// Curves drawn as a few Béziers, which meet smoothly and follow them roughly: each against a finer solve of what was drawn.
+#[test]
+fn curves_of_four_and_eight_beziers() {
+    let power = |a: f64, n: i32| {
+        move |t: f64| {
+            let z = Complex64::cis(t);
+            (z + a * z.powi(n), Complex64::i() * (z + f64::from(n) * a * z.powi(n)))
+        }
+    };
+    let ellipse = |a: f64| move |t: f64| (c(a * t.cos(), t.sin()), c(-a * t.sin(), t.cos()));
+    for pieces in [4, 8] {
+        let cases = [
+            ("z + 0.2 z²", in_beziers(pieces, power(0.2, 2))),
+            ("z + 0.1 z⁴", in_beziers(pieces, power(0.1, 4))),
+            ("ellipse 2:1", in_beziers(pieces, ellipse(2.0))),
+            ("ellipse 5:1", in_beziers(pieces, ellipse(5.0))),
+        ];
+        for (name, edges) in cases {
+            let region = region(&edges, c(0.1, 0.05));
+            let finer = solve(&region, 1e-13);
+            assert!(finer.error_estimate() <= 1e-12, "{name}: {:e}", finer.error_estimate());
+            let points = spread_points(&region, 60);
+            let exact = finer.to_disk(&points);
+            for tolerance in [1e-4, 1e-8] {
+                let map = solve(&region, tolerance);
+                let error = largest(map.to_disk(&points).iter().zip(&exact).map(|(a, b)| (a - b).norm()));
+                let estimate = map.error_estimate();
+                assert!(
+                    error <= estimate && estimate <= tolerance,
+                    "{name}, {pieces}: {error:e}, estimate {estimate:e}"
+                );
+            }
+        }
+    }
+    // Of sixteen Béziers an ellipse is one to some digits.
+    let drawn = solve(&region(&in_beziers(16, ellipse(2.0)), ORIGIN), 1e-10);
+    let miss = (drawn.to_disk(&[c(1.0, 0.2)])[0] - exact::ellipse(2.0, 1.0, c(1.0, 0.2)).0).norm();
+    assert!(miss < 1e-4, "{miss:e}");
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod convergence;
 mod curved;
 mod estimate;
 mod exact;
+mod horns;
 mod robust;
 mod second_method;
 mod smooth;

@@ -73,7 +73,7 @@ export function probeWords(reading) {
 const WORDS = new Map([
   ["self-intersecting", "These two red edges cross or touch. Drag a point until they no longer do, press Repair outline, or undo."],
   ["center-outside", "The round end of the vector lies outside the outline. Drag it back inside."],
-  ["cusp", "Two edges meet in a tip without an angle. Drag the points or handles beside it apart."],
+  ["cusp", "The outline turns back on itself in a point, and the gap there is outside. Drag the points or handles beside it apart."],
   ["too-few-vertices", "Fewer than three corners are apart from each other. Drag them apart, or draw a new region."],
   ["negative-mass", "No trustworthy map was found: part of the outline is too far out of the centre’s sight. Drag the round end of the vector nearer to it, or make the narrow places wider."],
   ["crowded", "Parts of the outline are too far out of the centre’s sight for a mesh. Drag the round end of the vector nearer to them."],
