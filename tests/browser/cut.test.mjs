@@ -224,6 +224,38 @@ test("what has no cut has no controls for one; pushed forward the cut lies in th
   await close();
 });
 
+test("on a phone a finger turns the cut, and the page does not scroll", async () => {
+  const { page, errors, close } = await openFormula("#f=log(z)&view=0,0,4&colours=hue", { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await page.locator(`${HANDLE}[visibility=visible]`).waitFor();
+  const [{ x, y }, from] = [await middle(page.locator("#target")), await middle(page.locator(`${HANDLE} .dot`))];
+  const finger = await page.context().newCDPSession(page);
+  /** @param {string} type @param {{ x: number, y: number }[]} touchPoints */
+  const send = (type, touchPoints) => finger.send("Input.dispatchTouchEvent", /** @type {any} */ ({ type, touchPoints }));
+  // A little beside the handle.
+  await send("touchStart", [{ x: from.x + 8, y: from.y + 8 }]);
+  const radius = x - from.x;
+  for (let degrees = 170; degrees >= 120; degrees -= 10) {
+    const angle = (degrees * Math.PI) / 180;
+    await send("touchMove", [{ x: x + radius * Math.cos(angle) + 8, y: y - radius * Math.sin(angle) + 8 }]);
+  }
+  await send("touchEnd", []);
+  await cutIs(page, (angle) => Math.abs(angle - 120) < 3);
+  assert.equal(await page.evaluate(() => window.scrollY), 0);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("a formula of a thousand terms is cut too, and typing goes on", async () => {
+  const { page, errors, close } = await openFormula("#f=z&view=0,0,2");
+  await page.locator("#formula").fill("log(sum(n,1,1000,z^n/n^2)+1)");
+  await page.locator(`${HANDLE}[visibility=visible]`).waitFor();
+  await page.locator("#formula").fill("z^2");
+  await page.locator(`${HANDLE}[visibility=hidden]`).waitFor({ state: "attached" });
+  await settled(page, "ready");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("a formula that bends angles says both dilatations under the pointer, and shows them as ellipses", async () => {
   const { page, errors, close } = await openFormula("#f=x%2B2i+y&view=0,0,4&around=0,0,4");
   await page.waitForFunction(() => document.getElementById("evidence")?.textContent?.replaceAll("\u2060", "").startsWith("Not analytic: circles become ellipses, up to 2.00 times as long as wide (|μ| up to 0.33)."));
