@@ -141,6 +141,11 @@ test("an airfoil comes from a file, and a body from a stroke; one that crosses i
   await settled(page, "ready");
   const drawn = page.url();
   assert.match(drawn, /outline=/);
+  // Another body and back to one's own.
+  await page.locator("#body").selectOption("circle");
+  await page.waitForFunction(() => location.hash.includes("body=circle") && document.body.dataset.state === "ready");
+  await page.locator("#body").selectOption("own");
+  await page.waitForFunction((drawn) => location.href === drawn && document.body.dataset.state === "ready", drawn);
   await page.locator("#draw").click();
   const knot = await Promise.all([[0.3, 0.3], [0.6, 0.7], [0.6, 0.3], [0.3, 0.7], [0.3, 0.35]].map(([x, y]) => at(page, x, y)));
   await page.mouse.move(knot[0].x, knot[0].y);

@@ -48,6 +48,8 @@ let wind = null;
 let basis = null;
 /** @type {Point[]} */
 let resting = [];
+/** A visitor's body, which can be chosen again. */
+let lastOwn = state.own;
 /** Which body the solid points of a grid belong to. @type {Uint8Array} */
 let owners = new Uint8Array();
 /** @type {Point[] | null} */
@@ -173,6 +175,8 @@ function change(change, anew = false) {
 }
 
 function controls() {
+  lastOwn = state.own ?? lastOwn;
+  ownOption.hidden = !lastOwn;
   press("kutta", state.kutta);
   for (const name of /** @type {const} */ (["pressure", "lines", "specks"])) press(name, state[name]);
   /** @type {HTMLSelectElement} */ (element("body")).value = state.own ? "own" : state.body;
@@ -190,6 +194,7 @@ const ownOption = Object.assign(new Option("Your own", "own"), { hidden: true })
 select.append(ownOption);
 select.addEventListener("change", () => {
   stroke = null;
+  if (select.value === "own") return change({ own: lastOwn, kutta: true }, true);
   change({ body: select.value, own: null, kutta: ready.get(select.value)?.trailing !== null }, true);
 });
 element("angle").addEventListener("input", (event) => change({ angle: /** @type {HTMLInputElement} */ (event.target).valueAsNumber }));
@@ -204,7 +209,6 @@ window.addEventListener("hashchange", () => {
   remark(words);
   stroke = null;
   state = next;
-  ownOption.hidden = !state.own;
   controls();
   solve();
 });
@@ -238,7 +242,6 @@ function take(text, name) {
 
 /** @param {string} title @param {Point[]} outline */
 function own(title, outline) {
-  ownOption.hidden = false;
   stroke = null;
   change({ own: bodyOf(title, outline), kutta: true }, true);
 }
@@ -316,5 +319,4 @@ requestAnimationFrame(frame);
 new ResizeObserver(draw).observe(canvas);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", turn);
 controls();
-if (state.own) ownOption.hidden = false;
 solve();
