@@ -243,7 +243,7 @@ test("a file's curves stay curves; strokes are drawn as curves", async () => {
   await close();
 });
 
-test("a cusp is refused in words; regions of curves go into each other; overlays follow curves", async () => {
+test("a cusp that points inwards is refused in words, a horn is not; regions of curves go into each other; overlays follow curves", async () => {
   const { page, errors, close } = await openPage(session, "#shape=heart&show=measure,grid");
   await screenshot(page, "heart-measure");
   await page.goto(session.url + "regions.html");
@@ -257,6 +257,12 @@ test("a cusp is refused in words; regions of curves go into each other; overlays
   await page.goto(session.url + "#path=M0,0A.5,.5,0,0,1,-.5,.5L-1,.5L-1,-.5L1,-.5L1,.5L.5,.5A.5,.5,0,0,1,0,0Z");
   await settled(page, "invalid");
   assert.match(await page.locator("#notice").innerText(), /turns back on itself/);
+  // A tip without an angle that is the region's own is solved, and nothing to be repaired.
+  await page.goto(session.url + "#path=M1,0A1,1,0,0,1,-1,0A.5,.5,0,0,0,0,0A.5,.5,0,0,0,1,0Z&center=0,.7&toward=0,1&show=grid");
+  await settled(page, "ready");
+  assert.match(await page.locator("#evidence").innerText(), /Turned over\s+none/);
+  assert.ok(await page.getByRole("button", { name: "Repair outline" }).isHidden());
+  await screenshot(page, "arbelos");
   assert.deepEqual(errors, []);
   await close();
 });

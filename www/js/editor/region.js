@@ -1,7 +1,7 @@
 // The region being edited: an immutable value and the verbs that make the next one.
 
 import { arcThrough, asBezier, converted, pointOn, splitAt } from "./curve.js";
-import { contains, crossingEdges, deepPoint, nearestOnBoundary, rightOf } from "./geometry.js";
+import { contains, deepPoint, distance, meetings, nearestOnBoundary, rightOf, sizeOf } from "./geometry.js";
 import { flatten } from "../common/frame.js";
 import { planePath } from "./path.js";
 import { counterClockwise, edgeOf, edgesOn, outlineOf, placeOn, placed, polygonOf } from "./outline.js";
@@ -163,13 +163,19 @@ export function translate({ center, toward, ...outline }, by) {
   return { ...placed(outline, 1, by), center: [center[0] + by[0], center[1] + by[1]], toward };
 }
 
+/** As near to a corner of curves, a share of their size, their polygons may meet where they themselves do not: in a tip without an angle. */
+const TIP = 0.05;
+
 /**
  * What is visibly wrong, to be shown in red; the words come from the library.
  * @param {Region} region @returns {{ edges: Set<number>, center: boolean }}
  */
 export function faults(region) {
   const polygon = polygonOf(region);
-  return { edges: edgesOn(region, crossingEdges(polygon)), center: !contains(polygon, region.center) };
+  const near = region.curves ? TIP * sizeOf(polygon) : 0;
+  const wrong = meetings(polygon).filter(({ at }) => !near || region.boundary.every((corner) => distance(corner, at) > near));
+  const edges = new Set(wrong.flatMap(({ first, second }) => [first, second]));
+  return { edges: edgesOn(region, edges), center: !contains(polygon, region.center) };
 }
 
 /** The same vector tied to another outline. @param {Region} region @param {Outline} outline @returns {Region} */
