@@ -80,7 +80,7 @@ let readings = 0;
 /** @type {import("../common/frame.js").Point | null} */
 let pointed = null;
 /** Whether it is looked where the cuts are, and whether they have moved since. */
-const seeking = { now: false, again: false };
+const seeking = { now: false, again: false, wanted: "" };
 
 const source = new PlaneView(element("source"), element("source-marks"), (around) => change({ around }), () => surroundings());
 const target = new PlaneView(element("target"), element("target-marks"), (view) => change({ view }), () => HOME);
@@ -218,6 +218,10 @@ async function read(reading) {
 /** The cuts, once they are known; the newest view waits while an older one is looked at. */
 async function showCuts() {
   cutHandle.draw();
+  const { formula, params, direction, cut } = state;
+  const wanted = JSON.stringify([compiled.branching, formula, params, direction, cut, domain().frame]);
+  if (wanted === seeking.wanted) return;
+  seeking.wanted = wanted;
   seeking.again = seeking.now;
   if (seeking.now) return;
   seeking.now = true;
@@ -226,6 +230,8 @@ async function showCuts() {
   const lines = compiled.branching ? await reader.ask({ what: "cuts", ...typedIn(state), cut: state.cut, within: { center, width } }) : [];
   seeking.now = false;
   if (lines && view === domain()) cutHandle.show(view, compiled.branching ? lines : []);
+  // A worker that gave no answer is asked again with the next change.
+  if (!lines || seeking.again) seeking.wanted = "";
   if (seeking.again) showCuts();
 }
 

@@ -64,6 +64,8 @@ export class FormulaPipeline {
   #picture = null;
   /** The picture, made ready for one way of going on beyond its edges. @type {{ wrap: Wrap, texture: Texture } | null} */
   #ready = null;
+  /** Cuts that were found last: most of what a hand moves leaves them where they are. @type {Map<string, import("./cut-lines.js").Piece[]>} */
+  #traced = new Map();
   /** The map that the page asked about last. @type {{ key: string, map: FormulaMap } | null} */
   #asked = null;
 
@@ -147,7 +149,17 @@ export class FormulaPipeline {
 
   /** Where the cuts lie. @param {Question & { what: "cuts" }} question @returns {import("./cut-handle.js").Line[]} */
   #cuts({ cut, within, params, ...rest }) {
-    return cutIn({ cut, params, ...rest }).map((formula, which) => ({ which, pieces: cutLines(this.#map({ formula, params }), cut.angle, within) }));
+    /** @type {Map<string, import("./cut-lines.js").Piece[]>} */
+    const traced = new Map();
+    const lines = cutIn({ cut, params, ...rest }).map((formula, which) => {
+      const named = FormulaMap.parameters(formula).map((name) => params[name]);
+      const key = JSON.stringify([formula, named, cut.angle, within]);
+      const pieces = this.#traced.get(key) ?? cutLines(this.#map({ formula, params }), cut.angle, within);
+      traced.set(key, pieces);
+      return { which, pieces };
+    });
+    this.#traced = traced;
+    return lines;
   }
 
   /** A formula's map; the last one is kept. @param {Typed} typed */
