@@ -9,7 +9,7 @@ import { Failure, root, run, step } from "./steps.mjs";
 import { wasmBindgen } from "./setup.mjs";
 
 const target = "wasm32-unknown-unknown";
-const built = join(process.env.CARGO_TARGET_DIR ?? join(root, "target"), target, "release");
+const built = join(process.env.CARGO_TARGET_DIR ?? join(root, "target"), target, "wasm");
 const compiled = join(built, "conformal_warp.wasm");
 const pkg = join(root, "pkg");
 const page = join(root, "www", "pkg");
@@ -37,8 +37,8 @@ export async function buildPackage({ complete = false } = {}) {
  * @param {{ features: string[], folder: string }} module
  */
 async function buildModule(name, { features, folder }) {
-  await step(`cargo build (${name}, release, simd128)`, (note) =>
-    run("cargo", ["build", "--release", "--lib", "--target", target, ...features], { note }),
+  await step(`cargo build (${name}, profile wasm, simd128)`, (note) =>
+    run("cargo", ["build", "--profile", "wasm", "--lib", "--target", target, ...features], { note }),
   );
   const stamp = join(built, `${name}.stamp`);
   const inputs = fingerprint();

@@ -27,24 +27,28 @@ impl Lanes {
     }
 
     /// The value (row 0) or a derivative.
+    #[inline(always)]
     pub fn row(&self, index: usize) -> Row<'_> {
         let start = 2 * index * self.width;
         let (re, im) = self.numbers[start..start + 2 * self.width].split_at(self.width);
         Row { re, im }
     }
 
+    #[inline(always)]
     fn row_mut(&mut self, index: usize) -> (&mut [f64], &mut [f64]) {
         let start = 2 * index * self.width;
         self.numbers[start..start + 2 * self.width].split_at_mut(self.width)
     }
 
     /// row[k] = value.
+    #[inline(always)]
     pub fn set(&mut self, index: usize, k: usize, value: Complex64) {
         let (re, im) = self.row_mut(index);
         (re[k], im[k]) = (value.re, value.im);
     }
 
     /// row[k] = f(k).
+    #[inline(always)]
     pub fn fill(&mut self, index: usize, f: impl Fn(usize) -> Complex64) {
         let (re, im) = self.row_mut(index);
         for (k, (re, im)) in re.iter_mut().zip(im).enumerate() {
@@ -74,11 +78,13 @@ impl Lanes {
 
 impl<'a> Row<'a> {
     /// The number at point k.
+    #[inline(always)]
     pub fn at(self, k: usize) -> Complex64 {
         Complex64::new(self.re[k], self.im[k])
     }
 
     /// The first `width` points: tells the compiler the length once, outside the loop.
+    #[inline(always)]
     fn trimmed(self, width: usize) -> Self {
         Self { re: &self.re[..width], im: &self.im[..width] }
     }

@@ -1,7 +1,7 @@
 //! Symm's equation on smooth curves, iterated: what they differ from circles by is smooth.
 
 use super::gmres::gmres;
-use super::lu::dot;
+use super::rows::dot;
 use crate::plane::Complex64;
 use crate::plane::fourier::{sum_of_waves, transform};
 use std::ops::Range;

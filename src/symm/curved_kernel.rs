@@ -9,6 +9,7 @@ use super::legendre::MAX_NODES;
 use super::log_moments::log_moments_with_slopes;
 use super::order::Order;
 use super::panel::Panel;
+use super::rows::add_scaled;
 use super::rule::{PanelRule, Part, Rows, exact_logs};
 use crate::plane::{Complex64, Edge};
 
@@ -156,7 +157,7 @@ impl CurvedPanel {
             let mut logs = [0.0; MAX_NODES];
             let mut add = |part: Part, logs: &[f64]| {
                 for (log, weights) in logs.iter().zip(rule.rows_of(part)) {
-                    row.iter_mut().zip(weights).for_each(|(r, w)| *r += log * w);
+                    add_scaled(row, *log, weights);
                 }
             };
             let count = rule.row_count(part.rows);

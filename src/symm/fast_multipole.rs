@@ -12,7 +12,7 @@ use super::panelled::Panelled;
 use super::refinement::Refinement;
 use crate::plane::Complex64;
 use crate::{Error, Result};
-use std::collections::HashMap;
+use rustc_hash::{FxBuildHasher, FxHashMap};
 
 /// Clusters this far apart interact through expansions, whose error falls like SEPARATION^order.
 const SEPARATION: f64 = 0.5;
@@ -209,7 +209,7 @@ struct NearBlocks<'a> {
     /// The leaf of each old panel.
     leaves: Vec<usize>,
     /// Where the entries of each pair of leaves start.
-    starts: HashMap<(usize, usize), usize>,
+    starts: FxHashMap<(usize, usize), usize>,
 }
 
 impl<'a> NearBlocks<'a> {
@@ -219,7 +219,7 @@ impl<'a> NearBlocks<'a> {
         for (index, leaf) in clusters.iter().enumerate().filter(|(_, cluster)| cluster.children.is_none()) {
             leaves[leaf.panels.clone()].fill(index);
         }
-        let mut starts = HashMap::with_capacity(fast.interactions.near.len());
+        let mut starts = FxHashMap::with_capacity_and_hasher(fast.interactions.near.len(), FxBuildHasher);
         let mut start = 0;
         for &(t, s) in &fast.interactions.near {
             starts.insert((t, s), start);
@@ -270,7 +270,7 @@ impl Influence for FastInfluence {
             for i in target.panels.start * self.targets_per_panel..target.panels.end * self.targets_per_panel {
                 let (row, rest) = entries.split_at(masses.len());
                 entries = rest;
-                potentials[i] += super::lu::dot(row, masses);
+                potentials[i] += super::rows::dot(row, masses);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! GMRES (Saad & Schultz 1986), preconditioned from the right so that its residual is the true one.
 
-use super::lu::dot;
 use super::options::Progress;
+use super::rows::dot;
 use crate::{Error, Result};
 
 /// How an iteration ended.

@@ -1,9 +1,9 @@
 //! Masses → potentials: the matrix of Symm's equation as something that can be applied.
 
-use super::lu::dot;
 use super::options::Progress;
 use super::panelled::Panelled;
 use super::refinement::Refinement;
+use super::rows::dot;
 use crate::{Error, Result};
 use std::ops::Range;
 

@@ -1,5 +1,6 @@
 //! Legendre polynomials and Gauss's rule: how a panel stores its density.
 
+use super::rows::add_scaled;
 use crate::plane::Complex64;
 
 /// Writes P₀(x) … P₍ₙ₋₁₎(x) into `values` (n = its length).
@@ -68,8 +69,9 @@ impl GaussRule {
         let n = self.len();
         let mut p = [0.0; MAX_NODES];
         legendre(x, &mut p[..n]);
-        for (j, value) in basis.iter_mut().enumerate() {
-            *value = (0..n).map(|k| p[k] * self.to_coefficients[k * n + j]).sum();
+        basis.fill(0.0);
+        for (value, row) in p.iter().zip(self.to_coefficients.chunks_exact(n)) {
+            add_scaled(basis, *value, row);
         }
     }
 }

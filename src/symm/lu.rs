@@ -1,5 +1,7 @@
 //! Dense LU factorisation with partial pivoting, blocked so that the inner loop stays in registers.
 
+use super::rows::{TILE, add_scaled, dot, tile_product};
+
 /// P·A = L·U of a square matrix.
 #[derive(Clone, Debug)]
 pub struct Lu {
@@ -12,8 +14,6 @@ pub struct Lu {
 
 /// Columns factored at a time.
 const BLOCK: usize = 48;
-/// Rows and columns of the register tile.
-const TILE: usize = 4;
 
 impl Lu {
     /// Factors the row-major n × n matrix in `matrix`. A zero pivot leaves infinities, which the caller's residual shows.
@@ -48,7 +48,7 @@ impl Lu {
                 let row = &mut row[k..end];
                 row[0] *= inverse;
                 let factor = row[0];
-                row[1..].iter_mut().zip(&pivot_row[1..]).for_each(|(r, p)| *r -= factor * p);
+                add_scaled(&mut row[1..], -factor, &pivot_row[1..]);
             }
         }
     }
@@ -61,7 +61,7 @@ impl Lu {
             let pivot_row = &upper[k * n + end..];
             for row in lower.chunks_exact_mut(n).take(end - k - 1) {
                 let factor = row[k];
-                row[end..].iter_mut().zip(pivot_row).for_each(|(r, p)| *r -= factor * p);
+                add_scaled(&mut row[end..], -factor, pivot_row);
             }
         }
     }
@@ -123,19 +123,6 @@ pub fn small_solve(matrix: Vec<f64>, mut b: Vec<f64>) -> Vec<f64> {
     b
 }
 
-/// Σ_k left[k] ⊗ right[k], both 4 wide.
-fn tile_product(left: &[[f64; TILE]], right: &[f64]) -> [[f64; TILE]; TILE] {
-    let mut sums = [[0.0; TILE]; TILE];
-    for (l, r) in left.iter().zip(right.as_chunks::<TILE>().0) {
-        for i in 0..TILE {
-            for j in 0..TILE {
-                sums[i][j] += l[i] * r[j];
-            }
-        }
-    }
-    sums
-}
-
 /// `row[from..]` −= Σ_k `row[k]` · (row k of `upper`)`[from..]`.
 fn subtract_row_product(row: &mut [f64], upper: &[f64], columns: std::ops::Range<usize>, from: usize) {
     let n = row.len();
@@ -144,23 +131,8 @@ fn subtract_row_product(row: &mut [f64], upper: &[f64], columns: std::ops::Range
     }
     for k in columns {
         let factor = row[k];
-        row[from..].iter_mut().zip(&upper[k * n + from..][..n - from]).for_each(|(r, u)| *r -= factor * u);
+        add_scaled(&mut row[from..], -factor, &upper[k * n + from..][..n - from]);
     }
-}
-
-/// Σ aᵢbᵢ with eight partial sums, so that it vectorises.
-#[must_use]
-pub fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let (a8, a_rest) = a.as_chunks::<8>();
-    let (b8, b_rest) = b.as_chunks::<8>();
-    let mut sums = [0.0; 8];
-    for (x, y) in a8.iter().zip(b8) {
-        for i in 0..8 {
-            sums[i] += x[i] * y[i];
-        }
-    }
-    let rest: f64 = a_rest.iter().zip(b_rest).map(|(x, y)| x * y).sum();
-    sums.iter().sum::<f64>() + rest
 }
 
 #[cfg(test)]

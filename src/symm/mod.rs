@@ -16,6 +16,7 @@
 //!   where their residuals weigh most;
 //! - `system` solves them: by factorisation (`lu`) when small, else by iteration (`gmres`) with a preconditioner
 //!   (`two_level`) and products from stored entries (`influence`) or expansions (`fast_multipole`, `multipole`, `clusters`);
+//!   `rows` holds its inner loops;
 //! - `problem` is what is solved for: harmonic measure, or another right-hand side of a region with holes;
 //! - `solve` refines (`refinement`) until the estimate meets the tolerance; `center` moves the center of what is
 //!   solved, and `far_center` moves it far, where most of the `measure` is `known` already;
@@ -66,6 +67,7 @@ pub(crate) mod panelled;
 pub(crate) mod potential;
 pub(crate) mod problem;
 mod refinement;
+mod rows;
 mod rule;
 mod series_sum;
 pub(crate) mod smooth;

@@ -5,6 +5,7 @@
 
 use super::legendre::GaussRule;
 use super::order::Order;
+use super::rows::add_scaled;
 
 /// Blocks of a regular panel: masses on its m nodes, and its Legendre coefficients (padded to m rows).
 #[must_use]
@@ -35,7 +36,7 @@ pub fn far_block(order: &Order, union: &[f64]) -> Vec<f64> {
     for (t, masses) in order.piece.nodes.iter().zip(union.chunks_exact(p)) {
         order.far.lagrange(*t, &mut basis);
         for (row, b) in block.chunks_exact_mut(p).zip(&basis) {
-            row.iter_mut().zip(masses).for_each(|(r, mass)| *r += b * mass);
+            add_scaled(row, *b, masses);
         }
     }
     block
@@ -128,7 +129,7 @@ fn add_product(left: &[f64], right: &[f64], p: usize, result: &mut [f64]) {
     let m = right.len() / p;
     for (row, factors) in result.chunks_exact_mut(p).zip(left.chunks_exact(m)) {
         for (factor, from) in factors.iter().zip(right.chunks_exact(p)) {
-            row.iter_mut().zip(from).for_each(|(r, x)| *r += factor * x);
+            add_scaled(row, *factor, from);
         }
     }
 }

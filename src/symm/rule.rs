@@ -13,8 +13,9 @@ use super::log_moments::{log_moments, log_moments_with_slopes, outside_ellipse};
 use super::order::Order;
 use super::panel::Panel;
 use super::panel_blocks::{far_block, graded_blocks, regular_blocks};
+use super::rows::add_scaled;
 use crate::plane::Complex64;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// How the node masses of a panel with a given exponent act, on the panel scaled to [0, 1].
@@ -199,7 +200,7 @@ impl PanelRule {
                 logs.iter_mut().for_each(|log| *log += log_scale);
             }
             for (log, weights) in logs.iter().zip(self.blocks[part.block * self.m * self.p..].chunks_exact(self.p)) {
-                row.iter_mut().zip(weights).for_each(|(r, w)| *r += log * w);
+                add_scaled(row, *log, weights);
             }
         });
     }
@@ -309,14 +310,14 @@ pub(super) fn exact_logs<T: std::ops::AddAssign<f64>>(
 pub struct Rules {
     /// What they have in common.
     pub order: Order,
-    by_exponent: HashMap<u64, Arc<PanelRule>>,
+    by_exponent: FxHashMap<u64, Arc<PanelRule>>,
 }
 
 impl Rules {
     /// No rules yet.
     #[must_use]
     pub fn new(order: Order) -> Self {
-        Self { order, by_exponent: HashMap::new() }
+        Self { order, by_exponent: FxHashMap::default() }
     }
 
     /// With the rules that panels have already.

@@ -2,8 +2,9 @@
 
 use super::circle_iteration::CircleIteration;
 use super::influence::room;
-use super::lu::{Lu, dot};
+use super::lu::Lu;
 use super::options::Progress;
+use super::rows::dot;
 use crate::plane::{Complex64, SmoothCurve};
 use crate::{Error, Result};
 use std::f64::consts::TAU;

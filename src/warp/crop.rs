@@ -74,6 +74,7 @@ impl Crop {
     }
 
     /// The columns or rows of the picture that one of the crop is made of.
+    #[inline(always)]
     fn inside(&self, axis: usize, place: usize, size: [usize; 2]) -> Range<usize> {
         let first = self.start[axis] + (place * self.block) as isize;
         let inside = |at: isize| at.clamp(0, size[axis] as isize) as usize;

@@ -7,7 +7,7 @@
 use super::node::Pair;
 use crate::map::{Jet, PlaneMap};
 use crate::plane::{Complex64, Frame};
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// The largest distance in the view between the map and its affine pieces, in pixels; also the image of a cell that is
 /// not worth splitting.
@@ -75,7 +75,8 @@ impl Cell {
 
 /// Meshes the frame for a map as the view shows it.
 pub(super) fn source_mesh<M: PlaneMap + ?Sized>(map: &M, frame: &Frame, view: &Frame) -> SourceMesh {
-    let mut lattice = Lattice { map, frame: *frame, view: *view, mesh: SourceMesh::default(), index: HashMap::new() };
+    let mut lattice =
+        Lattice { map, frame: *frame, view: *view, mesh: SourceMesh::default(), index: FxHashMap::default() };
     let side = 1 << DEPTH;
     let root = |k: u32| Cell { spot: [k % ROOTS * side, k / ROOTS * side], side };
     let mut cells: Vec<Cell> = (0..ROOTS * ROOTS).map(root).collect();
@@ -125,7 +126,7 @@ struct Lattice<'a, M: ?Sized> {
     view: Frame,
     mesh: SourceMesh,
     /// Where the vertex of each spot is.
-    index: HashMap<Spot, u32>,
+    index: FxHashMap<Spot, u32>,
 }
 
 impl<M: PlaneMap + ?Sized> Lattice<'_, M> {

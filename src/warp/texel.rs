@@ -14,13 +14,14 @@ pub(super) fn premultiplied(pixel: [u8; 4]) -> ByteTexel {
     match alpha {
         255 => pixel,
         _ => {
-            let [r, g, b] = [r, g, b].map(|byte| ((u32::from(byte) * u32::from(alpha) + 127) / 255) as u8);
-            [r, g, b, alpha]
+            let covered = |byte: u8| ((u32::from(byte) * u32::from(alpha) + 127) / 255) as u8;
+            [covered(r), covered(g), covered(b), alpha]
         }
     }
 }
 
 /// Bytes → light.
+#[inline(always)]
 pub(super) fn decoded([r, g, b, alpha]: ByteTexel, tables: &Tables) -> LightTexel {
     let decode = |byte: u8| tables.decode[usize::from(byte)];
     match alpha {
@@ -28,11 +29,11 @@ pub(super) fn decoded([r, g, b, alpha]: ByteTexel, tables: &Tables) -> LightTexe
         0 => [0; 4],
         _ => {
             let a = i32::from(alpha);
-            let [r, g, b] = [r, g, b].map(|byte| {
+            let covered = |byte: u8| {
                 let straight = ((255 * i32::from(byte) + a / 2) / a).min(255) as u8;
                 ((i32::from(decode(straight)) * a + 127) / 255) as i16
-            });
-            [r, g, b, (128 * a) as i16]
+            };
+            [covered(r), covered(g), covered(b), (128 * a) as i16]
         }
     }
 }
@@ -46,11 +47,11 @@ pub(super) fn encoded([r, g, b, alpha]: LightTexel, tables: &Tables) -> ByteTexe
         _ => {
             let (full, a) = (i32::from(FULL), i32::from(alpha));
             let coverage = (a + 64) >> 7;
-            let [r, g, b] = [r, g, b].map(|value| {
+            let covered = |value: i16| {
                 let straight = encode(((i32::from(value) * full + a / 2) / a).min(full) as i16);
                 ((i32::from(straight) * coverage + 127) / 255) as u8
-            });
-            [r, g, b, coverage as u8]
+            };
+            [covered(r), covered(g), covered(b), coverage as u8]
         }
     }
 }

@@ -6,7 +6,7 @@ use super::fit::Fit;
 use super::patch::Patch;
 use crate::plane::sort_by;
 use crate::symm::panel::Boundary;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// Patches made so far, by chart and zone.
@@ -14,7 +14,7 @@ use std::sync::Arc;
 pub struct Patches {
     boundary: Arc<Boundary>,
     fit: Arc<Fit>,
-    numbers: HashMap<(usize, usize), u32>,
+    numbers: FxHashMap<(usize, usize), u32>,
     /// The patches.
     pub list: Vec<Patch>,
 }
@@ -26,7 +26,7 @@ impl Patches {
         Self {
             boundary: Arc::clone(boundary),
             fit: Arc::new(Fit::new(accuracy.patch_degree(), accuracy.tolerance)),
-            numbers: HashMap::new(),
+            numbers: FxHashMap::default(),
             list: Vec::new(),
         }
     }

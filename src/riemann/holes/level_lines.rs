@@ -3,7 +3,7 @@
 
 use super::field::DomainField;
 use crate::plane::Complex64;
-use std::collections::HashSet;
+use rustc_hash::FxHashSet;
 use std::f64::consts::TAU;
 
 /// A line on which a function has one value: a polyline fine enough to look smooth.
@@ -155,7 +155,7 @@ impl<'a> Lattice<'a> {
                 Node { at, radius: (CIRCLE * self.cell).min(0.1 * others) }
             })
             .collect();
-        let mut crossed = HashSet::new();
+        let mut crossed = FxHashSet::default();
         let mut lines = Vec::new();
         for node in &nodes {
             for start in self.leaving(node, level) {
@@ -380,7 +380,7 @@ impl<'a> Lattice<'a> {
         joined || line.points.windows(2).any(|pair| near(pair[0], pair[1]))
     }
 
-    fn mark(&self, line: &Traced, crossed: &mut HashSet<(usize, bool)>) {
+    fn mark(&self, line: &Traced, crossed: &mut FxHashSet<(usize, bool)>) {
         for pair in line.points.windows(2) {
             crossed.extend(self.crossings(pair));
         }

@@ -15,7 +15,7 @@ use crate::plane::Complex64;
 use crate::symm::field::Field;
 use crate::symm::local_series::LocalSeries;
 use crate::symm::options::Progress;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use std::f64::consts::SQRT_2;
 use std::fmt;
 use std::sync::Arc;
@@ -44,7 +44,7 @@ impl PolygonSquares {
         let zones = Zones::new(field.boundary(), &walls, &field.source.singularities(), |_| 0.0);
         let all = Arc::new(walls.all());
         let fit = Fit::new(accuracy.patch_degree(), accuracy.tolerance);
-        let (cells, numbers, patches) = (Cells::default(), HashMap::new(), Vec::new());
+        let (cells, numbers, patches) = (Cells::default(), FxHashMap::default(), Vec::new());
         let mut builder = Builder { field, walls, series, zones, accuracy, fit, cells, numbers, patches };
         let mut watch = Watch::default();
         let mut tree = Quadtree::new(ground.center, ground.half);
@@ -97,7 +97,7 @@ struct Builder<'a> {
     fit: Fit,
     cells: Cells,
     /// The patches of zones.
-    numbers: HashMap<usize, u32>,
+    numbers: FxHashMap<usize, u32>,
     patches: Vec<WallPatch>,
 }
 

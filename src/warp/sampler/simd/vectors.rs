@@ -26,7 +26,10 @@ pub fn each_four(row: Row<'_>, line: &mut [u8], pixels: impl Fn(v128, v128, usiz
 #[inline(always)]
 pub fn four(plane: &[f32], at: usize) -> v128 {
     let numbers = &plane[at..at + 4];
-    f32x4(numbers[0], numbers[1], numbers[2], numbers[3])
+    #[expect(unsafe_code, reason = "four numbers are there: the range says so")]
+    unsafe {
+        v128_load(numbers.as_ptr().cast())
+    }
 }
 
 /// Writes four pixels, or as many as there is room for.
