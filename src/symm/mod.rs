@@ -56,7 +56,7 @@ mod known;
 mod legendre;
 pub(crate) mod local_series;
 mod log_moments;
-mod lu;
+pub(crate) mod lu;
 pub(crate) mod measure;
 pub(crate) mod multipole;
 pub mod options;

@@ -18,7 +18,7 @@ after(() => session.close());
 /** The goal, in bytes. The module alone is larger: it holds every map, and each page has use for a part of them. */
 const GOAL = 350_000;
 /** What the module weighs now, and may not outgrow unseen; tools/sizes.mjs holds it by gzip. */
-const MODULE = 580_000;
+const MODULE = 560_000;
 /** What all else weighs now, and a little. @type {Record<string, number>} */
 const PAGES = { "": 141_000, "regions.html": 137_000, "formula.html": 115_000, "cortex.html": 131_000, "flow.html": 93_000, "fields.html": 72_000, "lessons.html": 61_000 };
 

@@ -127,7 +127,7 @@ fn random_holes(random: &mut Random) -> Vec<(f64, f64, f64)> {
 #[test]
 fn random_images_have_their_circles_within_the_estimate() {
     let mut random = Random::new(15);
-    for case in 0..24 {
+    for case in 0..36 {
         let holes = random_holes(&mut random);
         let [a, b] = [0.15, 0.08].map(|size| Complex64::from_polar(size * random.unit(), TAU * random.unit()));
         let polynomial = |z: Complex64| z + a * z * z + b * z * z * z;
