@@ -18,7 +18,7 @@ before(async () => {
 after(() => session.close());
 
 /** How long each page has the monkey, in seconds, and which monkey that is. */
-const SECONDS = Number(process.env.MONKEY ?? 8);
+const SECONDS = Number(process.env.MONKEY ?? 5);
 const SEED = Number(process.env.SEED ?? 1);
 
 /** Numbers from 0 to 1 that a seed determines. @param {number} seed @returns {Random} */
