@@ -29,8 +29,7 @@ impl CurvedOutline {
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::InvalidOutline`] for gaps between edges and edges of no length; [`Error::Cusp`] for interior
-    /// angles of 2π;
-    /// [`Error::SelfIntersecting`] if edges cross or touch themselves or others.
+    /// angles of 2π; [`Error::SelfIntersecting`] if edges cross or touch themselves or others.
     pub fn new(edges: &[Edge]) -> Result<Self> {
         let n = edges.len();
         if n == 0 {
@@ -66,12 +65,14 @@ impl CurvedOutline {
         }
         let edges = if clockwise { turned() } else { edges.to_vec() };
         let mut alpha: Vec<f64> = (0..n).map(|k| 1.0 - turn_before(&edges, k) / PI).collect();
-        for (cut, corner) in horns.iter().flat_map(CutHorns::cuts) {
-            // The horn must be the region's, not that of what is outside.
-            if turn_before(horns.as_ref().map_or(&[], CutHorns::edges), cut) < 0.0 {
-                return Err(Error::Cusp { edge: corner, at: edges[corner].from() });
+        if let Some(horns) = &horns {
+            for (cut, corner) in horns.cuts() {
+                // The horn must be the region's, not that of what is outside.
+                if turn_before(horns.edges(), cut) < 0.0 {
+                    return Err(Error::Cusp { edge: corner, at: edges[corner].from() });
+                }
+                alpha[corner] = 0.0;
             }
-            alpha[corner] = 0.0;
         }
         Ok(Self { edges, alpha, size, pieces, horns })
     }
@@ -138,10 +139,9 @@ impl CurvedOutline {
             return f64::NEG_INFINITY;
         }
         let (_, distance) = self.pieces.nearest(z);
-        let in_tip = || self.horns.as_ref().is_some_and(|horns| horns.in_tip(z, self.thickness()).is_some());
         match self.pieces.contains(z) {
             true => distance,
-            false if in_tip() => 0.0,
+            false if self.in_tip(z).is_some() => 0.0,
             false => -distance,
         }
     }
@@ -152,19 +152,21 @@ impl CurvedOutline {
         let (place, _) = self.pieces.nearest(z);
         let Some(horns) = &self.horns else { return place };
         let (edge, t) = horns.outer(place.edge, place.t);
-        let is_cut = horns.cuts().any(|(cut, _)| cut == place.edge);
-        BoundaryPoint { edge, t, point: if is_cut { self.edges[edge].from() } else { place.point } }
+        self.place(edge, t)
     }
 
     /// The point of the edges that `z` is, up to rounding.
     #[must_use]
     pub fn on_edge(&self, z: Complex64) -> Option<BoundaryPoint> {
-        let thickness = self.thickness();
-        if self.pieces.nearest(z).1 <= thickness {
+        if self.pieces.nearest(z).1 <= self.thickness() {
             return Some(self.nearest(z));
         }
-        let (edge, t) = self.horns.as_ref()?.in_tip(z, thickness)?;
-        Some(self.place(edge, t))
+        self.in_tip(z).map(|(edge, t)| self.place(edge, t))
+    }
+
+    /// The edge and parameter that `z` is where a horn is too thin for pieces.
+    fn in_tip(&self, z: Complex64) -> Option<(usize, f64)> {
+        self.horns.as_ref()?.in_tip(z, self.thickness())
     }
 
     /// Points as near to the edges as this are on them, as far as numbers can tell.

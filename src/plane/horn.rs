@@ -15,10 +15,14 @@ const PER_DOUBLING: f64 = 16.0;
 /// Steps of a bisection.
 const STEPS: usize = 100;
 
-/// The two edges at a corner, both run from there.
+/// A corner with its two edges, both run from there.
+#[derive(Clone, Debug, PartialEq)]
 struct Horn {
+    corner: usize,
     tip: Complex64,
     walls: [Edge; 2],
+    /// The distance from the tip at which it is cut.
+    cut: f64,
 }
 
 impl Horn {
@@ -26,7 +30,8 @@ impl Horn {
     fn at(edges: &[Edge], k: usize) -> Option<Self> {
         let (before, after) = (&edges[(k + edges.len() - 1) % edges.len()], &edges[k]);
         let turn = (after.start_direction() * before.end_direction().conj()).arg();
-        (turn.abs() > PI - NARROW).then(|| Self { tip: after.from(), walls: [before.reversed(), *after] })
+        let walls = [before.reversed(), *after];
+        (turn.abs() > PI - NARROW).then(|| Self { corner: k, tip: after.from(), walls, cut: 0.0 })
     }
 
     /// Up to this distance from the tip both walls are looked at.
@@ -57,16 +62,16 @@ impl Horn {
         (self.width(reach) > width).then(|| bisected(&|distance| self.width(distance) < width, 0.0, reach))
     }
 
-    /// The distance from the tip beyond which nothing is seen from `center`, or the smallest that is allowed.
+    /// The distance from the tip beyond which nothing is seen from `center`, or that of the cut, if that is larger.
     ///
     /// Of what lies deeper in a channel than r one sees at most about exp(−π ∫ ds/width(s)), from r to where one stands or the
     /// channel ends (Ahlfors).
-    fn seen_from(&self, center: Complex64, smallest: f64) -> f64 {
+    fn seen_from(&self, center: Complex64) -> f64 {
         let step = (-PER_DOUBLING.recip()).exp2();
         let mut distance = self.reach().min(0.5 * (center - self.tip).norm());
         let mut open = true;
         let mut depth = 0.0;
-        while depth < UNSEEN && distance > smallest {
+        while depth < UNSEEN && distance > self.cut {
             let width = self.width(distance * step.sqrt());
             // It begins where it is no wider than it is long.
             open &= width > distance;
@@ -75,7 +80,7 @@ impl Horn {
             }
             distance *= step;
         }
-        distance.max(smallest)
+        distance.max(self.cut)
     }
 }
 
@@ -99,9 +104,7 @@ pub(crate) struct CutHorns {
     sources: Vec<Source>,
     /// Of each edge of the whole chain: which one it is of the cut chain, and the parameters kept.
     kept: Vec<(usize, [f64; 2])>,
-    /// Of each corner that was cut off: the corner, the distance of the cut.
-    horns: Vec<(usize, f64)>,
-    whole: Vec<Edge>,
+    horns: Vec<Horn>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -116,31 +119,27 @@ impl CutHorns {
     /// # Errors
     /// [`Error::Cusp`] where edges never part.
     pub fn thin(edges: &[Edge], size: f64) -> Result<Option<Self>> {
-        let mut horns = Vec::new();
-        for k in 0..edges.len() {
-            if let Some(horn) = Horn::at(edges, k) {
-                let cut = horn.as_wide_as(THINNEST * size).ok_or(Error::Cusp { edge: k, at: horn.tip })?;
-                horns.push((k, cut));
-            }
+        let mut horns: Vec<Horn> = (0..edges.len()).filter_map(|k| Horn::at(edges, k)).collect();
+        for horn in &mut horns {
+            let never = Error::Cusp { edge: horn.corner, at: horn.tip };
+            horn.cut = horn.as_wide_as(THINNEST * size).ok_or(never)?;
         }
         Ok((!horns.is_empty()).then(|| Self::new(edges, horns)))
     }
 
-    /// Cuts where nothing is seen of the tip from `center`.
-    pub fn unseen(&self, center: Complex64) -> Self {
-        let deep = |&(k, least): &(usize, f64)| Some((k, Horn::at(&self.whole, k)?.seen_from(center, least)));
-        Self::new(&self.whole, self.horns.iter().filter_map(deep).collect())
+    /// Cuts the chain that was cut here where nothing is seen of the tips from `center`.
+    pub fn unseen(&self, edges: &[Edge], center: Complex64) -> Self {
+        let deeper = |horn: &Horn| Horn { cut: horn.seen_from(center), ..horn.clone() };
+        Self::new(edges, self.horns.iter().map(deeper).collect())
     }
 
-    fn new(whole: &[Edge], horns: Vec<(usize, f64)>) -> Self {
+    fn new(whole: &[Edge], horns: Vec<Horn>) -> Self {
         let n = whole.len();
         let mut spans = vec![[0.0, 1.0]; n];
-        for &(k, distance) in &horns {
-            if let Some(horn) = Horn::at(whole, k) {
-                let [before, after] = horn.parameters(distance);
-                spans[(k + n - 1) % n][1] = 1.0 - before;
-                spans[k][0] = after;
-            }
+        for horn in &horns {
+            let [before, after] = horn.parameters(horn.cut);
+            spans[(horn.corner + n - 1) % n][1] = 1.0 - before;
+            spans[horn.corner][0] = after;
         }
         let part = |k: usize| {
             let [start, end] = spans[k];
@@ -149,7 +148,7 @@ impl CutHorns {
         let parts: Vec<Edge> = (0..n).map(part).collect();
         let (mut cut, mut sources, mut kept) = (Vec::new(), Vec::new(), Vec::new());
         for k in 0..n {
-            if horns.iter().any(|(corner, _)| *corner == k) {
+            if horns.iter().any(|horn| horn.corner == k) {
                 cut.push(Edge::line(parts[(k + n - 1) % n].to(), parts[k].from()));
                 sources.push(Source::Cut(k));
             }
@@ -157,7 +156,7 @@ impl CutHorns {
             cut.push(parts[k]);
             sources.push(Source::Part(k, spans[k]));
         }
-        Self { cut, sources, kept, horns, whole: whole.to_vec() }
+        Self { cut, sources, kept, horns }
     }
 
     /// The chain without the tips.
@@ -201,7 +200,7 @@ impl CutHorns {
     pub fn behind(&self, edge: usize, t: f64) -> Option<usize> {
         let n = self.kept.len();
         let (_, [start, end]) = self.kept[edge];
-        let is_horn = |k: usize| self.horns.iter().any(|(corner, _)| *corner == k);
+        let is_horn = |k: usize| self.horns.iter().any(|horn| horn.corner == k);
         let ends = [(edge, t - start), ((edge + 1) % n, end - t)];
         let nearer = ends.into_iter().filter(|(k, _)| is_horn(*k)).min_by(|a, b| a.1.total_cmp(&b.1));
         nearer.map(|(k, _)| self.corner(k))
@@ -209,22 +208,22 @@ impl CutHorns {
 
     /// The edge and parameter that a point in a tip is, up to rounding.
     pub fn in_tip(&self, z: Complex64, thickness: f64) -> Option<(usize, f64)> {
-        self.horns.iter().find_map(|&(k, cut)| {
-            let horn = Horn::at(&self.whole, k)?;
+        self.horns.iter().find_map(|horn| {
             let step = z - horn.tip;
             let distance = step.norm();
-            if distance > cut + thickness {
+            if distance > horn.cut + thickness {
                 return None;
             }
             let [a, b] = horn.across(distance);
             let between = (step - a).norm() + (step - b).norm() <= (a - b).norm() + 2.0 * thickness;
-            between.then(|| (k, horn.parameters(distance)[1]))
+            between.then(|| (horn.corner, horn.parameters(distance)[1]))
         })
     }
 
     /// The same chains, `by` plane units away.
     pub fn moved(&self, by: Complex64) -> Self {
-        let moved = |edges: &[Edge]| edges.iter().map(|edge| edge.moved(by)).collect();
-        Self { cut: moved(&self.cut), whole: moved(&self.whole), ..self.clone() }
+        let moved = |horn: &Horn| Horn { tip: horn.tip + by, walls: horn.walls.map(|wall| wall.moved(by)), ..*horn };
+        let horns = self.horns.iter().map(moved).collect();
+        Self { cut: self.cut.iter().map(|edge| edge.moved(by)).collect(), horns, ..self.clone() }
     }
 }

@@ -73,6 +73,15 @@ impl SolvedEdges {
     /// As [`solve_curved`].
     pub fn solve(region: &Region, options: &SolveOptions, progress: Progress) -> Result<Option<Self>> {
         let (origin, region) = region.local();
+        Self::solve_local(origin, region, options, progress)
+    }
+
+    fn solve_local(
+        origin: Complex64,
+        region: Region,
+        options: &SolveOptions,
+        progress: Progress,
+    ) -> Result<Option<Self>> {
         let Some(boundary) = without_tips(&region)? else { return Ok(None) };
         let solution = solve_curved(&boundary.0, region.center(), options, progress)?;
         Ok(Some(Self::new(origin, region, boundary, solution)))
@@ -96,11 +105,8 @@ impl SolvedEdges {
 
     /// The point of the outline at edge and parameter, in plane units.
     fn place(&self, (edge, t): (usize, f64)) -> BoundaryPoint {
-        let (outline, (edge, t)) = match (&self.horns, self.region.curved()) {
-            (Some(horns), Some(whole)) => (whole, horns.outer(edge, t)),
-            _ => (&self.outline, (edge, t)),
-        };
-        let place = outline.place(edge, t);
+        let (edge, t) = self.horns.as_ref().map_or((edge, t), |horns| horns.outer(edge, t));
+        let place = self.region.curved().unwrap_or(&self.outline).place(edge, t);
         BoundaryPoint { point: place.point + self.origin, ..place }
     }
 
@@ -128,7 +134,7 @@ type Boundary = (Arc<CurvedOutline>, Option<CutHorns>);
 fn without_tips(region: &Region) -> Result<Option<Boundary>> {
     let Some(outline) = region.curved() else { return Ok(None) };
     let Some(horns) = outline.horns() else { return Ok(Some((Arc::clone(outline), None))) };
-    let cut = horns.unseen(region.center());
+    let cut = horns.unseen(outline.edges(), region.center());
     let outline = CurvedOutline::new(cut.edges()).map_err(|error| cut.named(error))?;
     Ok(Some((Arc::new(outline), Some(cut))))
 }
@@ -155,11 +161,11 @@ impl SolvedRegion for SolvedEdges {
         progress: Progress,
     ) -> Result<Arc<dyn SolvedRegion>> {
         let region = self.region.with_center(center - self.origin, self.region.toward().point)?;
-        if self.horns.is_some() {
-            // Other tips are seen from there.
-            let boundary = without_tips(&region)?.unwrap_or((Arc::clone(&self.outline), None));
-            let solution = solve_curved(&boundary.0, region.center(), options, progress)?;
-            return Ok(Arc::new(Self::new(self.origin, region, boundary, solution)));
+        // Other tips are seen from there.
+        if self.horns.is_some()
+            && let Some(solved) = Self::solve_local(self.origin, region.clone(), options, progress)?
+        {
+            return Ok(Arc::new(solved));
         }
         let solution = solve_curved_again(&self.solution, region.center(), options, progress)?;
         Ok(Arc::new(Self::new(self.origin, region, (Arc::clone(&self.outline), None), solution)))

@@ -56,7 +56,7 @@ mod known;
 mod legendre;
 pub(crate) mod local_series;
 mod log_moments;
-pub(crate) mod lu;
+mod lu;
 pub(crate) mod measure;
 pub(crate) mod multipole;
 pub mod options;
@@ -84,4 +84,4 @@ mod two_level;
 #[cfg(test)]
 mod convergence;
 
-pub(crate) use lu::small_solve;
+pub(crate) use lu::{Lu, small_solve};

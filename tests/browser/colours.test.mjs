@@ -1,8 +1,8 @@
 // Photos with more colours than sRGB has keep them on screens that show them, and in the files that are saved there.
 
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
+import { saved } from "./support/files.mjs";
 import { settled, startBrowser } from "./support/page.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -55,14 +55,6 @@ const inFile = (page, bytes) =>
     return [...context.getImageData(bitmap.width / 2 + 30, bitmap.height / 2 + 30, 1, 1).data];
   }, bytes.toString("base64"));
 
-/** @param {Page} page */
-async function saved(page) {
-  await page.locator("#save").click();
-  const coming = page.waitForEvent("download");
-  await page.locator("#save-picture").click();
-  return readFile(await (await coming).path());
-}
-
 /** As red as sRGB can be, in Display P3. */
 const SRGB_RED = [234, 51, 35, 255];
 
@@ -73,14 +65,14 @@ for (const [path, ids] of /** @type {const} */ ([["", ["photo", "disk"]], ["form
   test(`${path || "index.html"}: the red of Display P3 stays as it is on a wide screen, and is the reddest of sRGB elsewhere`, async () => {
     const wide = await openRed("p3", path);
     for (const id of ids) near(await middleOf(wide.page, id), [255, 0, 0, 255]);
-    const file = await saved(wide.page);
+    const file = (await saved(wide.page, "#save-picture")).bytes;
     assert.ok(file.includes(Buffer.from([0x63, 0x49, 0x43, 0x50, 12, 13, 0, 1])), "the file says that it is Display P3");
     near(await inFile(wide.page, file), [255, 0, 0, 255]);
     assert.deepEqual(wide.errors, []);
     await wide.close();
     const usual = await openRed("srgb", path);
     for (const id of ids) near(await middleOf(usual.page, id), SRGB_RED);
-    const other = await saved(usual.page);
+    const other = (await saved(usual.page, "#save-picture")).bytes;
     assert.ok(other.includes(Buffer.from([0x73, 0x52, 0x47, 0x42, 0])), "the file says that it is sRGB");
     near(await inFile(usual.page, other), SRGB_RED);
     assert.deepEqual(usual.errors, []);
@@ -92,7 +84,7 @@ test("values as colours are sRGB's on every screen, and in files", async () => {
   const seen = [];
   for (const gamut of /** @type {const} */ (["p3", "srgb"])) {
     const { page, errors, close } = await openRed(gamut, "formula.html#f=z&view=0,0,4&colours=hue");
-    seen.push(await middleOf(page, "target"), await inFile(page, await saved(page)));
+    seen.push(await middleOf(page, "target"), await inFile(page, (await saved(page, "#save-picture")).bytes));
     assert.deepEqual(errors, []);
     await close();
   }

@@ -3,7 +3,7 @@
 use super::circle::Circle;
 use super::round_shapes::RoundShapes;
 use crate::plane::Complex64;
-use crate::symm::lu::Lu;
+use crate::symm::Lu;
 use crate::symm::options::Progress;
 use crate::{Error, Result};
 
@@ -59,9 +59,9 @@ impl Found {
         circles: Vec<Circle>,
         known: Option<&RoundShapes>,
         error: f64,
-        progress: Progress,
+        (done, progress): (f64, Progress),
     ) -> Result<Self> {
-        let shapes = RoundShapes::solve(&circles, known, error, progress)?;
+        let shapes = RoundShapes::solve(&circles, known, error, &mut |_, _| progress("circles", done))?;
         let outer = shapes.outer();
         let found = shapes.circles().into_iter().map(|circle| Circle {
             center: (circle.center - outer.center) / outer.radius,
@@ -89,7 +89,7 @@ fn by_broyden(
         let done = (least.ln() / finest.ln()).clamp(0.0, 1.0);
         let rough = finest.max((ROUGH * least).min(ROUGH));
         let known = best.as_ref().map(|best| &best.shapes);
-        let found = Found::at(given, circles, known, rough, &mut |_, _| progress("circles", done))?;
+        let found = Found::at(given, circles, known, rough, (done, progress))?;
         let change = search.next(found.lacking.clone());
         let (left, from) = (found.left, found.circles.clone());
         let better = left < least || best.is_none() && !left.is_nan();
@@ -118,9 +118,8 @@ fn by_newton(given: &[Circle], mut best: Found, progress: Progress) -> Result<(F
             if !are_apart(&circles) {
                 continue;
             }
-            let found = Found::at(given, circles, Some(&best.shapes), ROUGH * best.left.min(1.0), &mut |_, _| {
-                progress("circles", 0.0)
-            })?;
+            let rough = ROUGH * best.left.min(1.0);
+            let found = Found::at(given, circles, Some(&best.shapes), rough, (0.0, progress))?;
             if found.left < best.left {
                 nearer = Some(found);
                 break;
@@ -137,9 +136,8 @@ fn by_newton(given: &[Circle], mut best: Found, progress: Progress) -> Result<(F
 /// The derivative of the shapes' numbers by those of the circles, by differences.
 fn slopes(given: &[Circle], at: &Found, progress: Progress) -> Result<Lu> {
     let n = at.lacking.len();
-    let mut shapes = |circles: Vec<Circle>| {
-        Found::at(given, circles, Some(&at.shapes), DIFFERENCE_ERROR, &mut |_, _| progress("circles", 0.0))
-    };
+    let mut shapes =
+        |circles: Vec<Circle>| Found::at(given, circles, Some(&at.shapes), DIFFERENCE_ERROR, (0.0, progress));
     let here = shapes(at.circles.clone())?;
     let mut matrix = vec![0.0; n * n];
     for k in 0..n {
@@ -189,8 +187,8 @@ fn apart(circles: &[Circle]) -> Vec<Circle> {
     (0..40).map(smaller).find(|circles| are_apart(circles)).unwrap_or_else(|| smaller(40))
 }
 
-/// Broyden's method for what is lacking, the identity being near to the derivative where that is not known: C. T. Kelley, *Iterative Methods for Linear and
-/// Nonlinear Equations* (1995), section 7.3.
+/// Broyden's method for what is lacking, the identity being near to the derivative where that is not known: C. T. Kelley,
+/// *Iterative Methods for Linear and Nonlinear Equations* (1995), section 7.3.
 #[derive(Default)]
 struct Search {
     /// The derivative to start from.

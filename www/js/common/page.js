@@ -81,6 +81,13 @@ export function pictureFor(id) {
   );
 }
 
+/** The picture that is wanted; null where another one is by the time it is there, as that is followed too. @param {() => string} wanted its id */
+export async function wantedPicture(wanted) {
+  const id = wanted();
+  const found = await pictureFor(id);
+  return wanted() === id ? found : null;
+}
+
 /** For pictures of one place: of several that are asked for the last one is shown, however long the others take. */
 export class PhotoOpener {
   #asked = 0;

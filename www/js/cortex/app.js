@@ -8,7 +8,7 @@ import { toPlane } from "../common/frame.js";
 import { History } from "../common/history.js";
 import { addPicture, loadPicture } from "../common/images.js";
 import { ARROWS, onEscape, onUndoKeys } from "../common/keys.js";
-import { attempt, element, PhotoOpener, pictureFor, press, remark, statusOfPage, watchErrors } from "../common/page.js";
+import { attempt, element, PhotoOpener, pictureFor, press, remark, statusOfPage, wantedPicture, watchErrors } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
 import { Probe } from "../common/probe.js";
 import { offerToSave } from "../common/save-menu.js";
@@ -234,10 +234,9 @@ function connect() {
 /** @param {import("../common/history.js").Change} change */
 async function onChange(change) {
   unread = visiting;
-  const { image } = store.value;
-  if (!camera && picture.id !== image) {
-    const found = await pictureFor(image);
-    if (camera || store.value.image !== image) return; // A newer change is being followed.
+  if (!camera && picture.id !== store.value.image) {
+    const found = await wantedPicture(() => store.value.image);
+    if (camera || !found) return;
     picture = found;
   }
   refresh(change === "drag");

@@ -6,7 +6,7 @@ import { goAlong } from "../common/along.js";
 import { acceptFiles } from "../common/files.js";
 import { onGrid } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
-import { element, PhotoOpener, pictureFor, remark, showEvidence, statusOfPage, watchErrors } from "../common/page.js";
+import { element, PhotoOpener, pictureFor, remark, showEvidence, statusOfPage, wantedPicture, watchErrors } from "../common/page.js";
 import { playButton } from "../common/player.js";
 import { Probe } from "../common/probe.js";
 import { probeRow } from "../common/probe-menu.js";
@@ -189,10 +189,9 @@ function replaceRegion(region) {
 
 /** @param {import("../common/history.js").Change} change */
 async function onChange(change) {
-  const { image } = store.doc;
-  if (picture.id !== image) {
-    const found = await pictureFor(image);
-    if (store.doc.image !== image) return; // A newer change is being followed.
+  if (picture.id !== store.doc.image) {
+    const found = await wantedPicture(() => store.doc.image);
+    if (!found) return;
     picture = found;
   }
   // A slider is moved, or plays: more is to come.

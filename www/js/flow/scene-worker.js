@@ -1,7 +1,7 @@
 // The worker that makes files of flows and fields.
 
 import { imageOf, offscreen } from "../common/colours.js";
-import { scaledTo } from "../common/frame.js";
+import { flatten, scaledTo, toPlane } from "../common/frame.js";
 import { serveJobs } from "../common/serve.js";
 import { drawBodies, drawGround, drawLines, drawMarks } from "./scene.js";
 
@@ -56,16 +56,12 @@ serveJobs({
 
 /** @param {Scene} scene @returns {import("../common/layers.js").Layer[]} */
 function layersOf({ grid, strokes, bodies }) {
-  const { center, width, pixels } = grid;
-  const size = width / pixels[0];
-  /** @param {number} column @param {number} row */
-  const point = (column, row) => [center[0] + (column - pixels[0] / 2) * size, center[1] + (pixels[1] / 2 - row) * size];
   const lines = strokes.flatMap(({ lines, pieces = [] }) => [
-    ...lines.map((line) => Float64Array.from(line.flat())),
-    ...Array.from({ length: pieces.length / 4 }, (_, k) => Float64Array.from([point(pieces[4 * k], pieces[4 * k + 1]), point(pieces[4 * k + 2], pieces[4 * k + 3])].flat())),
+    ...lines.map(flatten),
+    ...Array.from({ length: pieces.length / 4 }, (_, k) => flatten([toPlane(grid, [pieces[4 * k], pieces[4 * k + 1]]), toPlane(grid, [pieces[4 * k + 2], pieces[4 * k + 3]])])),
   ]);
   return [
     { ink: "lines", lines },
-    { ink: "outline", closed: true, lines: bodies.map(({ outline }) => Float64Array.from(outline.flat())) },
+    { ink: "outline", closed: true, lines: bodies.map(({ outline }) => flatten(outline)) },
   ];
 }

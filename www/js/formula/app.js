@@ -247,7 +247,7 @@ function onResult(result, done) {
   target.paint(result.targetPixels, result.target, result.space);
   probe.refresh();
   const kind = result.dilatation ? dilatationWords(result.dilatation) : "Analytic: angles are kept.";
-  const cut = compiled.branching && isTurned(state.cut) ? ` Logarithms, roots and powers have their cut at ${Math.round(state.cut.angle)}°, on sheet ${state.cut.sheet}.`.replace("-", "−").replace("sheet -", "sheet −") : "";
+  const cut = compiled.branching && isTurned(state.cut) ? ` Logarithms, roots and powers have their cut at ${Math.round(state.cut.angle)}°, on sheet ${state.cut.sheet}.`.replaceAll("-", "−") : "";
   const time = result.warpMs < 1000 ? `${Math.max(1, Math.round(result.warpMs))} ms` : `${(result.warpMs / 1000).toFixed(1)} s`;
   const way = state.morph === 1 ? "" : ` On the way: h(z) = (1 − s) z + s f(z), with s = ${state.morph.toFixed(2)}.`;
   element("evidence").textContent = `${kind}${cut}${way} ${done ? `Drawn in ${time}${state.colours === "picture" ? ", four samples a pixel" : ""}.` : "This is a coarse picture."}`;

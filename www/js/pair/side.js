@@ -3,7 +3,7 @@
 import { deviceGrid } from "../common/canvas.js";
 import { onGrid } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
-import { element, PhotoOpener, pictureFor } from "../common/page.js";
+import { element, PhotoOpener, pictureFor, wantedPicture } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
 import { Editor } from "../editor/edit.js";
 import { Pen } from "../editor/pen.js";
@@ -74,10 +74,7 @@ export class Side {
 
   /** Loads the picture that the document names, where that has changed. */
   async follow() {
-    const { image } = this.store.doc;
-    if (this.picture.id === image) return;
-    const found = await pictureFor(image);
-    if (this.store.doc.image === image) this.picture = found;
+    if (this.picture.id !== this.store.doc.image) this.picture = (await wantedPicture(() => this.store.doc.image)) ?? this.picture;
   }
 
   /** The region as a job carries it. */
