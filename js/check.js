@@ -6,7 +6,7 @@ import { failure } from "./failure.js";
 import { types } from "./signatures.js";
 
 /**
- * A type: the name of a kind or of a declared type, or one of the composed ones.
+ * A type: the name of a kind or of a declared type, "unknown" for whatever is checked elsewhere, or one of the composed ones.
  *
  * @typedef {string | { oneOf: string[] } | { any: Type[] } | { tuple: Type[] } | { list: Type } | { record: Type }
  *   | Fields | { methods: string[] }} Type
@@ -76,6 +76,7 @@ function read(type, value, place) {
  * @param {Place} place
  */
 function readNamed(type, value, place) {
+  if (type === "unknown") return value;
   if (type === "Count") return isCount(value, LARGEST_COUNT) ? value : refuse(type, value, place);
   if (type in arrays) return readArray(type, value, place);
   if (classes.has(type)) return checkObject(type, value, () => refuse(type, value, place));
@@ -93,13 +94,17 @@ function readNamed(type, value, place) {
 function readAny(type, value, place) {
   const exact = type.any.find((one) => typeof one === "string" && kindOf(value) === one);
   if (exact) return read(exact, value, place);
+  /** @type {unknown} */
+  let inside;
   for (const one of type.any) {
     try {
       return read(one, value, place);
-    } catch {
-      // The next may fit.
+    } catch (/** @type {any} */ error) {
+      // The next may fit; if none does, what is wrong within an array says more than that it is one.
+      if (Array.isArray(value) && error.option?.endsWith("]") && error.option !== place.path) inside ??= error;
     }
   }
+  if (inside) throw inside;
   return refuse(type, value, place);
 }
 
@@ -113,13 +118,14 @@ function readAny(type, value, place) {
 function readArray(type, value, place) {
   const kind = kindOf(value);
   const { make, whole } = arrays[type];
+  const element = whole === undefined ? "number" : whole === LARGEST_COUNT ? "Count" : "Byte";
   if (kind === type) return value;
   const isOut = place.path ? place.path === "out" : place.argument === "out";
   const holdsNumbers = Array.isArray(value) || (kind !== undefined && kind !== "DataView" && !kind.startsWith("Big"));
   if (isOut || place.exact || !holdsNumbers) return refuse(type, value, place);
   const fits = whole === undefined ? (/** @type {unknown} */ n) => typeof n === "number" : (/** @type {unknown} */ n) => isCount(n, whole);
   for (let k = 0; k < value.length; k++) {
-    if (!fits(value[k])) return refuse(whole === undefined ? "number" : "Count", value[k], at(place, k));
+    if (!fits(value[k])) return refuse(element, value[k], at(place, k));
   }
   return make.from(value);
 }
@@ -228,15 +234,27 @@ function words(type) {
   if (typeof type !== "string") {
     if ("oneOf" in type) return `one of ${type.oneOf.map((one) => `"${one}"`).join(", ")}`;
     if ("any" in type) return type.any.map(words).join(" or ");
-    if ("tuple" in type) return `an array of ${type.tuple.length} ${type.tuple.includes("Point") ? "points" : "numbers"}`;
+    if ("tuple" in type) return `an array of ${type.tuple.length} ${type.tuple.every(isTuple) ? "points" : "numbers"}`;
     if ("list" in type) return "an array";
     if ("methods" in type) return `an object with a method ${type.methods.join(", ")}`;
     return "fields" in type ? `an object with keys of ${Object.keys(type.fields).join(", ")}` : "an object of names and values";
   }
   if (type === "Count") return "a whole number from 0 to 2³² − 1";
+  if (type === "Byte") return "a whole number from 0 to 255";
   if (type in arrays) return arrays[type].words;
   if (type in types) return words(/** @type {any} */ (types)[type]);
-  return classes.has(type) ? `a ${type}, made by this package` : `a ${type}`;
+  return classes.has(type) ? `${withArticle(type)}, made by this package` : withArticle(type);
+}
+
+/** @param {Type} type */
+function isTuple(type) {
+  const named = typeof type === "string" ? types[type] : type;
+  return typeof named === "object" && "tuple" in named;
+}
+
+/** @param {string} name @param {string} article */
+export function withArticle(name, article = "a") {
+  return `${article}${/^[AEIOU]/i.test(name) ? "n" : ""} ${name}`;
 }
 
 /**
@@ -251,7 +269,7 @@ function describe(value) {
   if (Array.isArray(value)) return `an array of ${value.length}`;
   const kind = kindOf(value);
   if (kind !== undefined) return `a ${kind} of ${value.length ?? value.byteLength}`;
-  for (const [name, made] of classes) if (typeof value === "object" && value instanceof made) return `a ${name}`;
+  for (const [name, made] of classes) if (typeof value === "object" && value instanceof made) return withArticle(name);
   return typeof value === "object" ? "an object" : `a ${typeof value}`;
 }
 

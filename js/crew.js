@@ -40,12 +40,26 @@ function lineTo(worker) {
   };
 }
 
+/**
+ * A worker of the caller's own, as far as that can be seen.
+ *
+ * @param {any} worker
+ */
+export function checkWorker(worker) {
+  const has = (/** @type {string} */ name) => typeof worker?.[name] === "function";
+  if (has("postMessage") && has("terminate") && (has("on") || has("addEventListener"))) return worker;
+  const message = 'The option "worker" cannot be used: expected a function that gives a Worker; what it gave is none.';
+  throw failure("invalid-option", message, { option: "worker" });
+}
+
 /** One worker, which answers in the order in which it is asked. */
 export class Member {
   /** @type {Map<number, { resolve(value: unknown): void, reject(error: unknown): void, progress?(stage: string, fraction: number): void }>} */
   #waiting = new Map();
   #next = 0;
   #line;
+  /** Why it answers no more, if so. @type {Error | undefined} */
+  #gone;
 
   /**
    * @param {any} worker
@@ -75,14 +89,14 @@ export class Member {
    */
   receive(name, kept, bytes) {
     const received = this.#ask({ awaits: kept, task: { kind: "static", name, key: "fromBytes", args: [], keep: kept } });
-    const give = (/** @type {Uint8Array | undefined} */ value) => this.#line.post({ gives: kept, value });
+    const give = (/** @type {Uint8Array | undefined} */ value) => this.#gone || this.#line.post({ gives: kept, value });
     bytes.then(give, () => give(undefined));
     return received;
   }
 
   /** @param {number} kept */
   free(kept) {
-    this.#line.post({ free: kept });
+    if (!this.#gone) this.#line.post({ free: kept });
   }
 
   end() {
@@ -95,6 +109,7 @@ export class Member {
    * @param {(stage: string, fraction: number) => void} [progress]
    */
   #ask(message, progress) {
+    if (this.#gone) return Promise.reject(this.#gone);
     const id = this.#next++;
     return new Promise((resolve, reject) => {
       this.#waiting.set(id, { resolve, reject, progress });
@@ -121,6 +136,7 @@ export class Member {
   #fail(cause) {
     const message = `A worker of the pool could not be started or has stopped${cause?.message ? `: ${cause.message}` : ""}. Where a bundler does not take conformal-warp/pool's worker along, give createPool() one: { worker: () => new Worker(…) }.`;
     const error = cause?.code ? cause : failure("pool-failed", message, { cause });
+    this.#gone ??= error;
     for (const { reject } of this.#waiting.values()) reject(error);
     this.#waiting.clear();
   }

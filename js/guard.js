@@ -1,7 +1,7 @@
 // The generated classes with a door: arguments are checked, use before init(), after free() and after a crash is told in
 // words, and a crash, which would be a bug of ours or a lack of memory, never lets a broken module answer again.
 
-import { checkArguments, checkObject, classes } from "./check.js";
+import { checkArguments, checkObject, classes, withArticle } from "./check.js";
 import { failure } from "./failure.js";
 import { abandon, isCurrent, roomFor } from "./conformal_warp.js";
 import { state } from "./state.js";
@@ -9,7 +9,7 @@ import { state } from "./state.js";
 /** @typedef {import("./check.js").Parameter} Parameter */
 
 /** @typedef {{ new?: Parameter[], static?: Record<string, Parameter[]>, methods?: Record<string, Parameter[]>,
- *   makes?: Record<string, string> }} Signature `makes`: the classes of the objects that calls return */
+ *   makes?: Record<string, string>, properties?: string[] }} Signature `makes`: the classes of the objects that calls return */
 
 /** @param {string} call */
 function checkReady(call) {
@@ -126,18 +126,31 @@ function guardClass(generated, name, signature) {
   const guarded = new Proxy(generated, {
     construct(target, args, newTarget) {
       checkReady(call);
-      if (!signature.new) {
-        const makers = Object.keys(signature.static ?? {}).map((maker) => `${name}.${maker}()`);
-        const by = makers.length > 0 ? makers.join(" or ") : "a method of another class";
-        throw failure("no-constructor", `A ${name} is not made by new but by ${by}.`);
-      }
-      return run(call, target, undefined, checkArguments(call, signature.new, args), newTarget);
+      checkMaker(name, signature, true);
+      return run(call, target, undefined, checkArguments(call, signature.new ?? [], args), newTarget);
     },
+    apply: () => checkMaker(name, signature, false),
   });
   Object.defineProperty(generated.prototype, "constructor", { value: guarded, writable: true, configurable: true });
   // Minifiers rename classes.
   Object.defineProperty(generated, "name", { value: name, configurable: true });
   return guarded;
+}
+
+/**
+ * Whether objects of a class are made as was tried: by `new` or without.
+ *
+ * @param {string} name
+ * @param {Signature} signature
+ * @param {boolean} isNew
+ */
+export function checkMaker(name, signature, isNew) {
+  if (signature.new && isNew) return;
+  const makers = Object.keys(signature.static ?? {}).map((maker) => `${name}.${maker}()`);
+  const by = signature.new ? `new ${name}()` : makers.length > 0 ? makers.join(" or ") : "a method of another class";
+  const message = `${withArticle(name, "A")} is not made by ${isNew ? "new" : `${name}()`} but by ${by}.`;
+  // As when any class is called like a function.
+  throw Object.assign(new TypeError(message), { code: "no-constructor" });
 }
 
 /**
@@ -172,7 +185,7 @@ function guardPrototype(prototype, name, methods) {
  */
 function checkReceiver(name, call, self) {
   checkObject(name, self, () => {
-    throw failure("wrong-receiver", `${call} must be called on a ${name}: as x.${call.slice(name.length + 1)}, not apart from its object.`);
+    throw failure("wrong-receiver", `${call} must be called on ${withArticle(name)}: as x.${call.slice(name.length + 1)}, not apart from its object.`);
   });
 }
 

@@ -2,7 +2,7 @@
 
 import { abandon, imports, use } from "./conformal_warp.js";
 import { failure } from "./failure.js";
-import { fetchModule } from "./source.js";
+import { fetchModule, isFetchable } from "./source.js";
 import { state } from "./state.js";
 
 /** @typedef {import("./entry.js").InitOutput} InitOutput */
@@ -24,6 +24,7 @@ export function loader(usual, usualBytes) {
    * @returns {Promise<InitOutput>} the instance's raw exports, of which `memory` may be of interest
    */
   function init(source) {
+    if (!isSource(source)) return Promise.reject(wrongSource());
     state.loading ??= start(source, usual).catch((error) => {
       state.loading = undefined;
       throw error;
@@ -49,13 +50,15 @@ export function loader(usual, usualBytes) {
    * @param {BufferSource | WebAssembly.Module} [source]
    * @returns {InitOutput}
    */
-  function initSync(source = usualBytes?.()) {
-    if (state.output) return state.output;
-    if (!isModule(source) && !isBytes(source)) {
+  function initSync(source) {
+    if (source === undefined && state.output) return state.output;
+    const given = source ?? usualBytes?.();
+    if (!isModule(given) && !isBytes(given)) {
       const message = "initSync() needs the module's bytes or a WebAssembly.Module.";
       throw Object.assign(new TypeError(message), { code: "invalid-argument", argument: "source" });
     }
-    const module = isModule(source) ? source : compileSync(source);
+    if (state.output) return state.output;
+    const module = isModule(given) ? given : compileSync(given);
     const output = instantiateSync(module);
     state.loading = Promise.resolve(output);
     return output;
@@ -110,6 +113,7 @@ function finish(module, instance) {
  */
 async function compile(source) {
   if (isModule(source)) return source;
+  if (!isSource(source)) throw wrongSource();
   const found = isBytes(source) ? { bytes: source, from: "the bytes given to init()" } : await fetchModule(source);
   try {
     return "response" in found ? await WebAssembly.compileStreaming(found.response) : await WebAssembly.compile(found.bytes);
@@ -149,6 +153,21 @@ function explain(error, from) {
   if (!(error instanceof WebAssembly.CompileError)) return Object.assign(error, { code: "load-failed" });
   const message = `What came from ${from} is not this package's WebAssembly module, or may not be compiled here: ${error.message}`;
   return Object.assign(new WebAssembly.CompileError(message), { code: "not-wasm", cause: error });
+}
+
+/**
+ * What can lead to a module; of a promise that is seen when it is kept.
+ *
+ * @param {any} source
+ */
+function isSource(source) {
+  const isAbsent = source === undefined || source === null;
+  return isAbsent || typeof source.then === "function" || isModule(source) || isBytes(source) || isFetchable(source);
+}
+
+function wrongSource() {
+  const message = "init() takes an address, a Response, the module's bytes or a WebAssembly.Module.";
+  return failure("invalid-argument", message, { argument: "source" });
 }
 
 /** @param {unknown} value @returns {value is WebAssembly.Module} */

@@ -4,15 +4,17 @@
 // there as bytes. Pictures are drawn in bands of rows and many points in parts, one for each worker. Only finished bands travel,
 // and they are handed over, not copied.
 
-import { Member, usualCount } from "./crew.js";
+import { checkArguments, withArticle } from "./check.js";
+import { Member, checkWorker, usualCount } from "./crew.js";
 import { failure } from "./failure.js";
+import { checkMaker } from "./guard.js";
 import { compiledModule } from "./load.js";
 import { beside, isMoved } from "./place.js";
 import { calls } from "./signatures.js";
 import { builtin } from "./source.js";
 
 /** @typedef {import("./crew.js").Task} Task */
-/** @typedef {{ kept: number, name: string, bands?: [number, number][], columns?: number }} Handle */
+/** @typedef {{ pool: Pool, kept: number, name: string, bands?: [number, number][], columns?: number }} Handle */
 
 /** The handle behind an object of the pool's. @type {WeakMap<object, Handle>} */
 const handles = new WeakMap();
@@ -20,18 +22,23 @@ const handles = new WeakMap();
 const SOLVES = new Set(["solve", "withCenter"]);
 /** Fewer points than this are not worth dividing. */
 const PART = 1 << 14;
+const MOST_WORKERS = 256;
+/** @type {import("./check.js").Parameter[]} */
+const PARAMETERS = [["options", { fields: { workers: ["Count", 1], worker: ["function", 1], source: ["unknown", 1] } }, 1]];
 
 /**
  * @param {{ workers?: number, worker?: () => any, source?: import("./entry.js").InitSource }} [options]
  * @returns {Promise<any>}
  */
-export async function createPool({ workers = usualCount(), worker = spawn, source } = {}) {
-  if (!Number.isInteger(workers) || workers < 1 || workers > 256) {
-    const message = `createPool(): workers cannot be used: expected a whole number from 1 to 256, found ${String(workers)}.`;
+export async function createPool(options) {
+  const [given = {}] = checkArguments("createPool()", PARAMETERS, [options]);
+  const { workers = usualCount(), worker = spawn, source } = /** @type {any} */ (given);
+  if (workers < 1 || workers > MOST_WORKERS) {
+    const message = `The option "workers" cannot be used: expected a whole number from 1 to ${MOST_WORKERS}, found ${workers}.`;
     throw failure("invalid-option", message, { option: "workers" });
   }
   const module = await compiledModule(source, () => beside(() => new URL("conformal_warp_bg.wasm", import.meta.url)));
-  const members = Array.from({ length: workers }, () => new Member(worker(), module));
+  const members = Array.from({ length: workers }, () => new Member(checkWorker(worker()), module));
   try {
     await Promise.all(members.map(({ ready }) => ready));
   } catch (error) {
@@ -76,6 +83,7 @@ class Pool {
   #class(name, signature) {
     const pool = this;
     const made = function (/** @type {unknown[]} */ ...args) {
+      checkMaker(name, signature, new.target !== undefined);
       return pool.#make(name, { kind: "new", name, args });
     };
     Object.defineProperty(made, "name", { value: name });
@@ -107,7 +115,7 @@ class Pool {
     const ready = call.untilAborted(Promise.all(made).then(() => undefined));
     // Who does not look at `ready` hears of it from the first thing asked.
     ready.catch(() => undefined);
-    return this.#object({ kept, name, bands }, ready);
+    return this.#object({ pool: this, kept, name, bands }, ready);
   }
 
   /**
@@ -132,6 +140,7 @@ class Pool {
   #object(handle, ready) {
     const signature = /** @type {any} */ (calls)[handle.name];
     const free = () => this.members.forEach((member) => member.free(handle.kept));
+    const isMethod = (/** @type {string} */ key) => Object.hasOwn(signature.methods, key) && key !== "paint";
     const object = new Proxy(Object.create(null), {
       get: (_, key) => {
         // A promise that gives this object must not take it for one.
@@ -140,7 +149,9 @@ class Pool {
         if (key === "free" || key === Symbol.dispose) return free;
         if (typeof key !== "string") return undefined;
         const { kept: self, name } = handle;
-        if (!(key in signature.methods)) return ready.then(() => this.#ask({ kind: "get", name, key, self, args: [] }));
+        // What looks at any object, as consoles do, asks for nothing.
+        if (!isMethod(key) && !signature.properties.includes(key)) return undefined;
+        if (!isMethod(key)) return ready.then(() => this.#ask({ kind: "get", name, key, self, args: [] }));
         return (/** @type {unknown[]} */ ...args) => this.#call(handle, ready, signature, key, args);
       },
     });
@@ -230,7 +241,7 @@ class Pool {
   }
 
   /** One worker's answer; they take turns. @param {Task} task */
-  #ask(task) {
+  async #ask(task) {
     const call = this.#read(task);
     return call.untilAborted(this.members[this.#next++ % this.members.length].run(call.task, call.progress));
   }
@@ -247,6 +258,9 @@ class Pool {
     let onProgress;
     const args = task.args.map((arg) => {
       const handle = typeof arg === "object" && arg !== null ? handles.get(arg) : undefined;
+      if (handle && handle.pool !== this) {
+        throw failure("invalid-argument", `${withArticle(handle.name, "A")} of another pool was given: its workers are not this pool's.`);
+      }
       if (handle) return { kept: handle.kept };
       if (Object.prototype.toString.call(arg) !== "[object Object]") return arg;
       const { signal: given, onProgress: told, ...rest } = /** @type {any} */ (arg);
@@ -254,13 +268,24 @@ class Pool {
       onProgress = told ?? onProgress;
       return rest;
     });
+    check("signal", signal, "an AbortSignal", (value) => typeof value.throwIfAborted === "function");
+    check("onProgress", onProgress, "a function", (value) => typeof value === "function");
     signal?.throwIfAborted();
     // Where memory can be shared, a solve under way is told to stop; elsewhere its result is dropped.
     const cancel = typeof SharedArrayBuffer === "function" ? new Int32Array(new SharedArrayBuffer(4)) : undefined;
     const stop = () => cancel && Atomics.store(cancel, 0, 1);
     signal?.addEventListener("abort", stop, { once: true });
-    const progress = onProgress && ((/** @type {string} */ stage, /** @type {number} */ fraction) => {
-      if (onProgress?.(stage, fraction) === false) stop();
+    /** @type {(thrown: unknown) => void} */
+    let fail = () => undefined;
+    const failed = new Promise((_, reject) => (fail = reject));
+    failed.catch(() => undefined);
+    const progress = onProgress && (async (/** @type {string} */ stage, /** @type {number} */ fraction) => {
+      try {
+        if ((await onProgress?.(stage, fraction)) === false) stop();
+      } catch (thrown) {
+        stop();
+        fail(thrown);
+      }
     });
     const cancels = signal !== undefined || onProgress !== undefined;
     return {
@@ -268,7 +293,8 @@ class Pool {
       progress,
       /** @template T @param {Promise<T>} work @returns {Promise<T>} */
       untilAborted(work) {
-        if (!signal) return work;
+        const told = progress ? Promise.race([work, /** @type {Promise<any>} */ (failed)]) : work;
+        if (!signal) return told;
         const aborted = signal;
         return new Promise((resolve, reject) => {
           const abort = () => reject(aborted.reason);
@@ -277,11 +303,22 @@ class Pool {
             aborted.removeEventListener("abort", abort);
             aborted.removeEventListener("abort", stop);
           };
-          work.then(resolve, reject).finally(rest);
+          told.then(resolve, reject).finally(rest);
         });
       },
     };
   }
+}
+
+/**
+ * @param {string} option
+ * @param {any} value
+ * @param {string} expected
+ * @param {(value: any) => boolean} fits
+ */
+function check(option, value, expected, fits) {
+  if (value === undefined || (value !== null && fits(value))) return;
+  throw failure("invalid-option", `The option "${option}" cannot be used: expected ${expected}, found ${String(value)}.`, { option });
 }
 
 /**

@@ -14,11 +14,6 @@ const ADVICE = `The bundler or server must serve ${FILE}: pass its address, init
  */
 export async function fetchModule(source) {
   if (isResponse(source)) return readResponse(source);
-  const isAddress = typeof source === "string" || source instanceof URL || /** @type {any} */ (source)?.url !== undefined;
-  if (!isAddress) {
-    const message = "init() takes an address, a Response, the module's bytes or a WebAssembly.Module.";
-    throw failure("invalid-argument", message, { argument: "source" });
-  }
   const from = String(/** @type {any} */ (source).url ?? source);
   const bytes = from.startsWith("file:") ? readFile(from) : undefined;
   if (bytes) return { bytes, from };
@@ -90,6 +85,11 @@ export function findInstalled(from) {
  */
 export function builtin(name) {
   return globalThis.process?.getBuiltinModule?.(name);
+}
+
+/** Whether this is an address, a request or a response. @param {any} source */
+export function isFetchable(source) {
+  return typeof source === "string" || source instanceof URL || source.url !== undefined || isResponse(source);
 }
 
 /** @param {unknown} value @returns {value is Response} */

@@ -94,7 +94,7 @@ pub enum Error {
         reason: &'static str,
     },
     /// A numeric option outside its range.
-    #[error("{name} must be {expected}; it is {value}.")]
+    #[error("{name} must be {expected}; it is {}.", number(*value))]
     InvalidOption {
         /// The option's name, in snake case; at the edge to JavaScript it becomes camel case.
         name: &'static str,
@@ -344,6 +344,12 @@ fn capital(text: &str) -> String {
     first.to_ascii_uppercase() + rest
 }
 
+/// A number for reading: no rows of zeros.
+fn number(value: f64) -> String {
+    let is_usual = value == 0.0 || !value.is_finite() || (1e-4..1e16).contains(&value.abs());
+    if is_usual { format!("{value}") } else { format!("{value:e}") }
+}
+
 /// A point for reading, to seven digits of its larger coordinate.
 fn place(z: &Complex64) -> String {
     let size = z.re.abs().max(z.im.abs());
@@ -364,6 +370,11 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!([0.0, -1.5, 1e-300, 2.0_f64.powi(80)].map(number), ["0", "-1.5", "1e-300", "1.2089258196146292e24"]);
+    }
 
     #[test]
     fn places_can_be_told_apart_at_every_scale() {

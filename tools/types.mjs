@@ -104,14 +104,15 @@ function fieldsOf(body) {
  * @returns {Signature}
  */
 function readClass(body) {
-  /** @type {Required<Pick<Signature, "static" | "methods" | "makes">> & Signature} */
-  const found = { static: {}, methods: {}, makes: {} };
+  /** @type {Required<Pick<Signature, "static" | "methods" | "makes" | "properties">> & Signature} */
+  const found = { static: {}, methods: {}, makes: {}, properties: [] };
   for (const [, modifier, name, parameters, result] of body.matchAll(/^ {4}(private |static )?(\w+)\((.*?)\)(?:: (.*))?;$/gm)) {
     if (name === "free") continue;
     if (result) found.makes[name] = result;
     if (name !== "constructor") found[modifier === "static " ? "static" : "methods"][name] = readParameters(parameters);
     else if (modifier !== "private ") found.new = readParameters(parameters);
   }
+  found.properties = [...body.matchAll(/^ {4}readonly (\w+): /gm)].map(([, name]) => name);
   return found;
 }
 

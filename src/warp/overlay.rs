@@ -135,7 +135,11 @@ impl Overlay {
         }
     }
 
-    fn check(&self) -> Result<()> {
+    /// Whether it can be drawn.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`].
+    pub(crate) fn check(&self) -> Result<()> {
         let positive = |name, value: f64| {
             let valid = value.is_finite() && value > 0.0;
             if valid { Ok(()) } else { Err(Error::InvalidOption { name, expected: "a positive number", value }) }

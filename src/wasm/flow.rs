@@ -7,6 +7,7 @@ use super::points;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::solved_methods;
+use crate::Error;
 use crate::riemann::{Circulation, FlowLines};
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
@@ -51,6 +52,9 @@ struct Given {
 impl Given {
     fn read(flow: Option<&Ts<FlowOptions>>, bodies: usize) -> Result<Self, Failure> {
         let FlowOptions { speed, angle, circulation, trailing } = options::read_or_default(flow)?;
+        if trailing.is_some() && !matches!(circulation, Some(CirculationOption::Named(_))) {
+            return Err(Failure::option("trailing", "trailing is for the circulation \"kutta\" alone."));
+        }
         let circulation = match circulation {
             None => Circulation::Given(vec![0.0; bodies]),
             Some(CirculationOption::Given(given)) => Circulation::Given(given),
@@ -164,14 +168,26 @@ impl PotentialFlow {
     }
 
     /// The lift of all bodies a unit of span by Kutta and Joukowski, for a fluid of this density (1 by default).
-    pub fn lift(&self, density: Option<f64>) -> f64 {
-        self.0.lift(density.unwrap_or(1.0))
+    ///
+    /// Throws "invalid-option".
+    pub fn lift(&self, density: Option<f64>) -> Result<f64, Failure> {
+        Ok(self.0.lift(checked(density)?))
     }
 
     /// The force `[X, Y]` on all bodies a unit of span by Blasius' integral, for a fluid of this density (1 by default).
+    ///
+    /// Throws "invalid-option".
     #[wasm_bindgen(unchecked_return_type = "[x: number, y: number]")]
-    pub fn force(&self, density: Option<f64>) -> js_sys::Array {
-        points::pair(self.0.force(density.unwrap_or(1.0)))
+    pub fn force(&self, density: Option<f64>) -> Result<js_sys::Array, Failure> {
+        Ok(points::pair(self.0.force(checked(density)?)))
+    }
+}
+
+/// The density of a fluid.
+fn checked(density: Option<f64>) -> crate::Result<f64> {
+    match density.unwrap_or(1.0) {
+        density if density > 0.0 && density.is_finite() => Ok(density),
+        value => Err(Error::InvalidOption { name: "density", expected: "a positive number", value }),
     }
 }
 

@@ -65,12 +65,24 @@ pub struct OverlayOptions {
     pub rows: Option<[usize; 2]>,
 }
 
+impl OverlayKind {
+    const ALL: [Self; 5] = [Self::Cartesian, Self::Polar, Self::Circle, Self::Stretch, Self::Argument];
+}
+
 impl OverlayOptions {
-    fn overlay(&self) -> Overlay {
+    /// The drawing of this kind, all that was given being right, used or not.
+    fn checked(&self) -> crate::Result<Overlay> {
+        for kind in OverlayKind::ALL {
+            self.overlay(kind).check()?;
+        }
+        Ok(self.overlay(self.kind))
+    }
+
+    fn overlay(&self, kind: OverlayKind) -> Overlay {
         let usual = Stroke::default();
         let stroke = Stroke { width: self.width.unwrap_or(usual.width), color: self.color.unwrap_or(usual.color) };
         let opacity = self.opacity.unwrap_or(1.0);
-        match self.kind {
+        match kind {
             OverlayKind::Cartesian => Overlay::Cartesian { spacing: self.spacing.unwrap_or(1.0), stroke },
             OverlayKind::Polar => Overlay::Polar { spokes: self.spokes.unwrap_or(12), stroke },
             OverlayKind::Circle => Overlay::Circle { radius: self.radius.unwrap_or(1.0), stroke },
@@ -86,7 +98,7 @@ impl OverlayOptions {
 /// "invalid-option", "invalid-frame", "invalid-rows", "wrong-length".
 pub fn draw(map: &dyn PlaneMap, given: &Ts<OverlayOptions>) -> Result<Uint8ClampedArray, Failure> {
     let given = options::read(given)?;
-    let overlay = given.overlay();
+    let overlay = given.checked()?;
     let view: Frame = given.view.try_into()?;
     let rows = given.rows.map(|[first, end]| first..end);
     let mut rgba = match &given.out {

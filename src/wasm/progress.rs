@@ -1,8 +1,8 @@
 //! The caller's `onProgress(stage, fraction)`.
 
 use super::error::Failure;
-use js_sys::Function;
-use wasm_bindgen::JsValue;
+use js_sys::{Function, Promise};
+use wasm_bindgen::{JsCast, JsValue};
 
 /// Tells a JavaScript function how far a computation is. `false` cancels, and so does throwing; what was thrown is
 /// thrown on once the computation has stopped.
@@ -23,12 +23,15 @@ impl Progress {
     pub fn report(&mut self, stage: &'static str, fraction: f64) -> bool {
         let Some(function) = &self.function else { return true };
         match function.call2(&JsValue::UNDEFINED, &stage.into(), &fraction.into()) {
+            Ok(answer) if answer.has_type::<Promise>() => self.stop(late().into()),
             Ok(answer) => answer != JsValue::FALSE,
-            Err(thrown) => {
-                self.thrown = Some(thrown);
-                false
-            }
+            Err(thrown) => self.stop(thrown),
         }
+    }
+
+    fn stop(&mut self, thrown: JsValue) -> bool {
+        self.thrown = Some(thrown);
+        false
     }
 
     /// The computation's result, unless the caller's function threw.
@@ -41,4 +44,9 @@ impl Progress {
             None => Ok(result?),
         }
     }
+}
+
+/// Of an async function, which cannot cancel.
+fn late() -> Failure {
+    Failure::option("onProgress", "onProgress must answer at once: it gave a promise, whose false would come too late.")
 }

@@ -7,6 +7,7 @@ use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::{prepare_method, solved_methods};
 use super::warp;
+use crate::Error;
 use crate::map::PlaneMap;
 use crate::riemann::SlitKind;
 use crate::warp::Direction;
@@ -60,10 +61,14 @@ impl SlitMap {
         options: Option<Ts<RiemannOptions>>,
     ) -> Result<Self, Failure> {
         let SlitOptions { kind, angle, hole, pole } = options::read(&slits)?;
+        let angle = angle.unwrap_or(0.0);
+        if !angle.is_finite() {
+            return Err(Error::InvalidOption { name: "angle", expected: "a number of radians", value: angle }.into());
+        }
         let kind = match kind {
             SlitRegion::Disk => SlitKind::Disk,
             SlitRegion::Annulus => SlitKind::Annulus { hole: hole.unwrap_or(0) },
-            SlitRegion::Parallel => SlitKind::Parallel { angle: angle.unwrap_or(0.0) },
+            SlitRegion::Parallel => SlitKind::Parallel { angle },
             SlitRegion::Radial => SlitKind::Radial {
                 pole: pole.ok_or_else(|| Failure::option("pole", "The option \"pole\" is missing."))?.into(),
             },

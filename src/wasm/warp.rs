@@ -109,12 +109,13 @@ pub fn paint(
 /// Puts pixels onto a canvas from its row `top`.
 ///
 /// # Errors
-/// What the context throws.
+/// "no-image-data", and what the context throws.
 pub fn put(context: &PaintContext, pixels: &[u8], size: [usize; 2], top: usize) -> Result<(), Failure> {
     let [width, height] = size.map(|n| n as u32);
-    ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), width, height)
-        .and_then(|image| context.put_image_data(&image, 0.0, top as f64))
-        .map_err(Failure::thrown)
+    let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), width, height).map_err(|_| {
+        Failure::new("no-image-data", "There is no ImageData here, as under Node: warp() gives the pixels.")
+    })?;
+    context.put_image_data(&image, 0.0, top as f64).map_err(Failure::thrown)
 }
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -144,7 +145,7 @@ macro_rules! warp_methods {
 
             /// `warp`, onto a canvas, whose pixel (0, 0) is the view's.
             ///
-            /// Throws as `warp` does, and what the context throws.
+            /// Throws as `warp` does, "no-image-data" where there are no canvases, and what the context throws.
             pub fn paint(
                 &self,
                 context: &$crate::wasm::warp::PaintContext,

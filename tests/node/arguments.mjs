@@ -53,6 +53,7 @@ before(async () => {
     texture,
     frame,
     context,
+    ring,
     objects: { Region: region, RiemannMap: map, Texture: texture, FormulaMap: formula, RetinoCorticalMap: cortex, FoveatedTexture: stack,
       JointTriangulation: mesh, CorticalImage: image, PreparedWarp: prepared, RegionMap: RegionMap.between(map, map), ...holed },
   };
@@ -87,7 +88,7 @@ function wrongFor(type) {
   const string = /** @type {[string, unknown]} */ (["a string", "abcd"]);
   const object = /** @type {[string, unknown]} */ (["{}", {}]);
   const length = /** @type {[string, unknown]} */ (["{ length: 1e9 }", { length: 1e9 }]);
-  if (resolved === "number") return [...common, string, object, ["[1]", [1]]];
+  if (resolved === "number") return [...common, string, object, ["[1]", [1]], ["NaN", NaN], ["−∞", -Infinity]];
   if (resolved === "Count") return [...common, string, object, ["1.5", 1.5], ["-1", -1], ["NaN", NaN], ["2³² + 1", 2 ** 32 + 1], ["\"1\"", "1"]];
   if (resolved === "boolean") return [...common.filter(([what]) => what !== "true"), number, string, object];
   if (resolved === "string") return [...common, number, object, ["[\"z\"]", ["z"]]];
@@ -166,6 +167,7 @@ test("wrong kinds of arguments, of every call that there is", () => {
       check(wrongCalls(name, signature, (args) => exported(...args)));
       continue;
     }
+    check([[`${name}() without new`, () => exported()]]);
     if (signature.new) check(wrongCalls(`new ${name}`, signature.new, (args) => new exported(...args)));
     else check([[`new ${name}()`, () => new exported()]]);
     for (const [key, parameters] of Object.entries(signature.static)) {
@@ -226,12 +228,40 @@ test("what fits the types but cannot be", () => {
     "a spacing of 0": () => JointTriangulation.regionToDisk(map, { spacing: 0 }),
     "a Uint8Array to fill": () => formula.warp(texture, { ...options, out: new Uint8Array(4 * 64) }),
     "a Uint8Array to fill, prepared": () => fine.objects.PreparedWarp.warp(texture, new Uint8Array(4 * 64)),
+    "an overlay of no opacity it uses": () => formula.overlay({ kind: "polar", view: frame, opacity: Infinity }),
+    "an angle that is not used": () => SlitMap.solve(fine.ring, { kind: "annulus", angle: Infinity }),
+    "an infinite density": () => fine.objects.PotentialFlow.lift(Infinity),
+    "a negative density": () => fine.objects.PotentialFlow.force(-1),
+    "trailing vertices without kutta": () => fine.objects.PotentialFlow.again({ trailing: [0] }),
+    "an onProgress that cannot cancel": () => RiemannMap.solve(fine.objects.Region, { onProgress: /** @type {any} */ (async () => false) }),
+    "a canvas where there is none": () => formula.paint(fine.context, texture, options),
+    "a canvas where there is none, prepared": () => fine.objects.PreparedWarp.paint(fine.context, texture),
     "a stack with a bad frame": () => FoveatedTexture.of(texture, { ...frame, width: 0 }),
   };
   const failures = Object.entries(cases).flatMap(([name, call]) => improper(name, call) ?? []);
   assert.deepEqual(failures, []);
   assert.deepEqual(texture.size, [8, 8], "a texture that was refused is still there");
   assert.equal(formula.warp(texture, options).length, 4 * 64, "the module works on");
+});
+
+test("what is wrong is said so that it can be mended", () => {
+  const { Texture: texture, Region: region, AnnulusMap: annulus } = fine.objects;
+  /** @type {[RegExp, () => unknown][]} */
+  const cases = [
+    [/rgba\[0\].*from 0 to 255, found 300/, () => new Texture(/** @type {any} */ (Array(256).fill(300)), 8, 8)],
+    [/an array of 4 points, found an array of 3/, () => RectangleMap.solve(region, { corners: /** @type {any} */ ([0, 1, 2]) })],
+    [/an AnnulusMap/, () => annulus.toAnnulus.call(texture, new Float64Array(2))],
+    [/found "4"/, () => new Texture(new Uint8Array(4), /** @type {any} */ ("4"), 1)],
+    [/it is 1e-300\.$/, () => RiemannMap.solve(region, { tolerance: 1e-300 })],
+  ];
+  for (const [message, call] of cases) assert.throws(call, { message });
+});
+
+test("a source that is none is refused, whether the module is there or not", async () => {
+  for (const source of [42, {}, true]) await assert.rejects(init(/** @type {any} */ (source)), { code: "invalid-argument" });
+  await init(new Uint8Array(8));
+  await init(Promise.resolve("nowhere"));
+  assert.throws(() => warp.initSync(/** @type {any} */ (42)), { code: "invalid-argument" });
 });
 
 test("absent keys may be undefined or null, and arrays of numbers may be plain", () => {
@@ -243,4 +273,16 @@ test("absent keys may be undefined or null, and arrays of numbers may be plain",
   assert.deepEqual([...fine.objects.FormulaMap.eval([1, 2])], [1, 2]);
   const out = new Uint8ClampedArray(4 * 64);
   assert.equal(fine.objects.FormulaMap.warp(texture, { ...options, out }), out, "the array given is filled and given back");
+});
+
+test("what was made before a reset is stale afterwards, and may be freed", async () => {
+  const map = new FormulaMap("z");
+  const texture = new Texture(new Uint8Array(4), 1, 1);
+  await init.reset();
+  assert.throws(() => map.eval(new Float64Array(2)), { code: "stale" });
+  const { frame } = fine;
+  assert.throws(() => new FormulaMap("z").warp(texture, { texture: frame, view: frame }), { code: "stale" });
+  map.free();
+  texture.free();
+  assert.deepEqual([...new FormulaMap("2z").eval(new Float64Array([1, 2]))], [2, 4]);
 });

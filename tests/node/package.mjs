@@ -121,6 +121,7 @@ test("classes behave as classes", async () => {
   assert.equal(region.constructor, Region);
   assert.equal(region.constructor.name, "Region");
   assert.throws(() => /** @type {any} */ (Region)(square()), TypeError);
+  assert.throws(() => /** @type {any} */ (Region)(square()), { code: "no-constructor", message: "A Region is not made by Region() but by new Region()." });
 });
 
 test("errors are Errors with a code and a position", async () => {

@@ -107,9 +107,49 @@ test("a signal aborts, and progress is told", async () => {
   await assert.rejects(map.ready, /no more/);
 });
 
-test("closing rejects what is not done", async () => {
+test("closing rejects what is not done, and all that is asked later", async () => {
   const other = await createPool({ workers: 1 });
-  const answer = new other.FormulaMap("z").eval(new Float64Array(2));
+  const formula = new other.FormulaMap("z");
+  const answer = formula.eval(new Float64Array(2));
   other.close();
   await assert.rejects(answer, { code: "pool-closed" });
+  await assert.rejects(formula.eval(new Float64Array(2)), { code: "pool-closed" });
+  await assert.rejects(new other.FormulaMap("z").ready, { code: "pool-closed" });
+  await assert.rejects(other.FormulaMap.fromBytes(new Uint8Array(1)).ready, { code: "pool-closed" });
+  formula.free();
+  other.close();
+});
+
+test("wrong calls are told as without a pool", async () => {
+  const call = /** @type {any} */ (createPool);
+  for (const options of [4, { threads: 4 }, { worker: 4 }, { worker: () => ({}), workers: 1 }, { workers: "4" }, { workers: 257 }]) {
+    await assert.rejects(call(options), (/** @type {any} */ error) => /^invalid-(option|argument)$/.test(error.code) && error.message.endsWith("."));
+  }
+  const classes = /** @type {any} */ (pool);
+  assert.throws(() => classes.FormulaMap("z"), { code: "no-constructor" });
+  assert.throws(() => new classes.RiemannMap(), { code: "no-constructor" });
+  const formula = new classes.FormulaMap("z");
+  const texture = new classes.Texture(rgba, 64, 64);
+  await assert.rejects(formula.warp(texture, { ...options, signal: 1 }), { code: "invalid-option", option: "signal" });
+  await assert.rejects(formula.warp(new Texture(rgba, 64, 64), options), { code: "invalid-argument" });
+  assert.throws(() => classes.RiemannMap.solve(new classes.Region(square), { onProgress: 3 }), { code: "invalid-option", option: "onProgress" });
+  const other = await createPool({ workers: 1 });
+  await assert.rejects(formula.warp(new other.Texture(rgba, 64, 64), options), { code: "invalid-argument" });
+  other.close();
+});
+
+test("looking at an object asks its workers for nothing", async () => {
+  const other = await createPool({ workers: 1 });
+  const formula = /** @type {any} */ (new other.FormulaMap("z"));
+  for (const key of ["toJSON", "nope", "constructor", "paint", "hasOwnProperty"]) assert.equal(formula[key], undefined, key);
+  assert.equal(await formula.text, "z");
+  other.close();
+});
+
+test("onProgress of a pool may be async, and what it throws is thrown on", async () => {
+  const region = new pool.Region(square);
+  const call = (/** @type {() => unknown} */ onProgress) => pool.RiemannMap.solve(region, /** @type {any} */ ({ onProgress })).ready;
+  await assert.rejects(call(() => { throw new Error("mine"); }), /mine/);
+  await assert.rejects(call(async () => { throw new Error("mine, later"); }), /mine, later/);
+  await call(async () => undefined);
 });
