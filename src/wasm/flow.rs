@@ -52,9 +52,6 @@ struct Given {
 impl Given {
     fn read(flow: Option<&Ts<FlowOptions>>, bodies: usize) -> Result<Self, Failure> {
         let FlowOptions { speed, angle, circulation, trailing } = options::read_or_default(flow)?;
-        if trailing.is_some() && !matches!(circulation, Some(CirculationOption::Named(_))) {
-            return Err(Failure::option("trailing", "trailing is for the circulation \"kutta\" alone."));
-        }
         let circulation = match circulation {
             None => Circulation::Given(vec![0.0; bodies]),
             Some(CirculationOption::Given(given)) => Circulation::Given(given),

@@ -232,7 +232,6 @@ test("what fits the types but cannot be", () => {
     "an angle that is not used": () => SlitMap.solve(fine.ring, { kind: "annulus", angle: Infinity }),
     "an infinite density": () => fine.objects.PotentialFlow.lift(Infinity),
     "a negative density": () => fine.objects.PotentialFlow.force(-1),
-    "trailing vertices without kutta": () => fine.objects.PotentialFlow.again({ trailing: [0] }),
     "an onProgress that cannot cancel": () => RiemannMap.solve(fine.objects.Region, { onProgress: /** @type {any} */ (async () => false) }),
     "a canvas where there is none": () => formula.paint(fine.context, texture, options),
     "a canvas where there is none, prepared": () => fine.objects.PreparedWarp.paint(fine.context, texture),
