@@ -1,4 +1,4 @@
-// npm run build: the npm package's files in pkg/; with --package also those that only the published package needs.
+// npm run build: the npm package's files in pkg/; with --package also the notices, which only the published package needs.
 
 import { buildPackage } from "./package.mjs";
 import { setUp } from "./setup.mjs";

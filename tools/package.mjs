@@ -14,46 +14,43 @@ const compiled = join(built, "conformal_warp.wasm");
 const pkg = join(root, "pkg");
 const page = join(root, "www", "pkg");
 
-/** The two modules that the package holds: everything, and textures with formulas alone. */
+/** The two modules that the package holds: everything, and textures with formulas alone; and where the pages have them. */
 const modules = {
-  full: { features: [], folder: pkg },
-  formula: { features: ["--no-default-features"], folder: join(pkg, "formula") },
+  full: { features: [], folder: pkg, copy: page },
+  formula: { features: ["--no-default-features"], folder: join(pkg, "formula"), copy: join(page, "formula") },
 };
 
 /**
  * Builds `pkg/` and `www/pkg/`. cargo decides about compiling; the rest is skipped while its inputs are the same.
  *
- * @param {{ complete?: boolean }} [options] `complete` adds what only the published package needs: the second module, and notices
+ * @param {{ complete?: boolean }} [options] `complete` adds the notices, which only the published package needs
  */
 export async function buildPackage({ complete = false } = {}) {
   await buildModule("full", modules.full);
-  if (!complete) return;
   await buildModule("formula", modules.formula);
-  await step("notices", () => writeFileSync(join(pkg, "THIRD-PARTY-NOTICES.txt"), notices(target)));
+  if (complete) await step("notices", () => writeFileSync(join(pkg, "THIRD-PARTY-NOTICES.txt"), notices(target)));
 }
 
 /**
  * @param {string} name
- * @param {{ features: string[], folder: string }} module
+ * @param {{ features: string[], folder: string, copy: string }} module
  */
-async function buildModule(name, { features, folder }) {
+async function buildModule(name, { features, folder, copy }) {
   await step(`cargo build (${name}, profile wasm, simd128)`, (note) =>
     run("cargo", ["build", "--profile", "wasm", "--lib", "--target", target, ...features], { note }),
   );
   const stamp = join(built, `${name}.stamp`);
   const inputs = fingerprint();
-  const entries = name === "full" ? [folder, page] : [folder];
-  const present = existsSync(stamp) && entries.every((entry) => existsSync(join(entry, "index.js")));
+  const present = existsSync(stamp) && [folder, copy].every((entry) => existsSync(join(entry, "index.js")));
   if (present && readFileSync(stamp, "utf8") === inputs) return;
 
-  // Of pkg/ only what lies in it itself: its folders are other modules.
-  mkdirSync(folder, { recursive: true });
-  for (const file of filesIn(folder)) rmSync(join(folder, file));
+  for (const target of [folder, copy]) empty(target);
   const generated = join(built, `bindgen-${name}`);
   await step("wasm-bindgen", () => run(wasmBindgen, [compiled, "--target", "web", "--out-dir", generated]));
   const module = await optimised(join(generated, "conformal_warp_bg.wasm"), name);
   await step("package", () => assemble(generated, module, folder, name === "full" ? undefined : name));
-  if (name === "full") copyToPage();
+  const served = filesIn(folder).filter((file) => !/^inline|^bytes|^pool|^crew|\.cjs$|\.cts$/.test(file));
+  for (const file of served) cpSync(join(folder, file), join(copy, file));
   writeFileSync(stamp, inputs);
 }
 
@@ -95,10 +92,14 @@ async function optimised(module, name) {
   return result;
 }
 
-function copyToPage() {
-  rmSync(page, { recursive: true, force: true });
-  mkdirSync(page, { recursive: true });
-  for (const file of filesIn(pkg)) if (!/^inline|^bytes|^pool|^crew|\.cjs$|\.cts$/.test(file)) cpSync(join(pkg, file), join(page, file));
+/**
+ * A folder without files; its folders are other modules.
+ *
+ * @param {string} folder
+ */
+function empty(folder) {
+  mkdirSync(folder, { recursive: true });
+  for (const file of filesIn(folder)) rmSync(join(folder, file));
 }
 
 /** @param {string} folder */

@@ -15,12 +15,13 @@ before(async () => {
 });
 after(() => session.close());
 
-/** The goal, in bytes. The module alone is larger: it holds every map, and each page has use for a part of them. */
+/** The goal, in bytes. The module of all maps alone is larger; the page of formulas has use for the small one, and meets it. */
 const GOAL = 350_000;
-/** What the module weighs now, and may not outgrow unseen; tools/sizes.mjs holds it by gzip. */
+/** What the modules weigh now, and may not outgrow unseen; tools/sizes.mjs holds them by gzip. */
 const MODULE = 560_000;
+const SMALL_MODULE = 172_000;
 /** What all else weighs now, and a little. @type {Record<string, number>} */
-const PAGES = { "": 141_000, "regions.html": 137_000, "formula.html": 115_000, "cortex.html": 131_000, "flow.html": 93_000, "fields.html": 72_000, "lessons.html": 61_000 };
+const PAGES = { "": 141_000, "regions.html": 137_000, "formula.html": 108_000, "cortex.html": 131_000, "flow.html": 93_000, "fields.html": 72_000, "lessons.html": 61_000 };
 
 /** @param {Buffer} bytes */
 const brotli = (bytes) => brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length } }).length;
@@ -53,7 +54,8 @@ for (const [path, most] of Object.entries(PAGES)) {
     const kB = (/** @type {number} */ bytes) => `${(bytes / 1000).toFixed(1)} kB`;
     const [largest] = sizes.filter(({ name }) => !name.endsWith(".wasm")).sort((a, b) => b.sent - a.sent);
     context.diagnostic(`${path || "index.html"}: ${kB(module + rest)} in brotli, ${kB(module)} of them the module; the goal is ${kB(GOAL)}; ${sizes.length} files, the largest beside it ${largest.name} with ${kB(largest.sent)}`);
-    assert.ok(module > 0 && module <= MODULE, `the module weighs ${module} bytes, and may weigh ${MODULE}`);
+    const mostModule = path === "formula.html" ? SMALL_MODULE : MODULE;
+    assert.ok(module > 0 && module <= mostModule, `the module weighs ${module} bytes, and may weigh ${mostModule}`);
     assert.ok(rest > 0 && rest <= most, `the rest weighs ${rest} bytes, and may weigh ${most}`);
     await visitor.close();
   });

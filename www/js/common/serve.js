@@ -1,6 +1,5 @@
 // The worker's end of a lane: pictures, jobs and questions come in; results, progress and errors go out.
 
-import init from "../../pkg/index.js";
 import { fileOf, inFull } from "./plate.js";
 
 /** @typedef {import("./frame.js").Frame} Frame */
@@ -39,8 +38,13 @@ import { fileOf, inFull } from "./plate.js";
 /** A job that nobody waits for any more. */
 const SUPERSEDED = Object.assign(new Error("The page has moved on."), { code: "superseded" });
 
-/** Answers this worker's messages by a pipeline. @template {Versioned} J @template {Versioned} R @param {Pipeline<J, R>} pipeline */
-export function serveJobs(pipeline) {
+/**
+ * Answers this worker's messages by a pipeline.
+ * @template {Versioned} J @template {Versioned} R
+ * @param {Pipeline<J, R>} pipeline
+ * @param {() => Promise<unknown>} init loads the module that it uses
+ */
+export function serveJobs(pipeline, init) {
   /** @param {Reply<R>} reply @param {ArrayBufferLike[]} [transfer] */
   const post = (reply, transfer = []) => self.postMessage(reply, { transfer: /** @type {Transferable[]} */ (transfer) });
   const ready = init().then(

@@ -15,6 +15,7 @@ const SPACE_OF_PLATES = "srgb";
 /** Rows that are drawn at once. */
 const BAND = 512;
 
+// Lines and bodies are drawn by the browser alone.
 serveJobs({
   setPicture() {},
 
@@ -52,7 +53,7 @@ serveJobs({
       free: () => colours?.close(),
     };
   },
-});
+}, async () => undefined);
 
 /** @param {Scene} scene @returns {import("../common/layers.js").Layer[]} */
 function layersOf({ grid, strokes, bodies }) {

@@ -32,7 +32,7 @@ import { decode, encode, fromPreset, SHEETS } from "./state.js";
 /** @typedef {import("./pipeline.js").Result} Result */
 /** @typedef {import("../common/images.js").Picture} Picture */
 /** @typedef {import("./compile.js").Compiled} Compiled */
-/** @typedef {import("../../pkg/index.js").Preset} Preset */
+/** @typedef {import("../../pkg/formula/index.js").Preset} Preset */
 
 const FIRST = "droste";
 /** The texture's plane is seen this many pictures wide. */

@@ -1,6 +1,6 @@
 // What a visitor types → whether it can be read, and its parameters; found in a worker, while typing.
 
-import { FormulaMap } from "../../pkg/index.js";
+import { FormulaMap } from "../../pkg/formula/index.js";
 import { PRINCIPAL, turned } from "./cut.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */

@@ -6,7 +6,7 @@ import { levelPieces } from "../flow/levels.js";
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../common/placement.js").Placement} Placement */
-/** @typedef {import("../../pkg/index.js").FormulaMap} FormulaMap */
+/** @typedef {import("../../pkg/formula/index.js").FormulaMap} FormulaMap */
 /** A short piece of a cut. @typedef {[Point, Point]} Piece */
 
 /** Points a side of the grid on which lines are looked for, at least and at most: as many as can be had in so many milliseconds. */

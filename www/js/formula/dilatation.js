@@ -7,7 +7,7 @@ import { layOver } from "./portrait.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
-/** @typedef {import("../../pkg/index.js").FormulaMap} FormulaMap */
+/** @typedef {import("../../pkg/formula/index.js").FormulaMap} FormulaMap */
 /** p and q at each point, as flat pairs; NaN where f is not defined. @typedef {{ p: Float64Array, q: Float64Array }} Slopes */
 /** What is seen of it over a view: the most that a circle is drawn out, the largest and the least |μ|. @typedef {{ longest: number, most: number, least: number }} Dilatation */
 

@@ -1,8 +1,8 @@
 // Draws the thumbnails of the gallery.
 
-import init, { FormulaMap, Texture } from "../../pkg/index.js";
+import init, { FormulaMap, Texture } from "../../pkg/formula/index.js";
 
-/** @typedef {import("../../pkg/index.js").Preset} Preset */
+/** @typedef {import("../../pkg/formula/index.js").Preset} Preset */
 /** @typedef {{ presets: Preset[], textures: Record<Preset["picture"], Uint8ClampedArray>, side: number, textureSide: number }} Order */
 
 self.onmessage = async (/** @type {MessageEvent<Order>} */ { data: { presets, textures, side, textureSide } }) => {

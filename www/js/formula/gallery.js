@@ -3,7 +3,7 @@
 import { contextOf, drawnCanvas } from "../common/canvas.js";
 import { imageOf, WORKER } from "../common/colours.js";
 
-/** @typedef {import("../../pkg/index.js").Preset} Preset */
+/** @typedef {import("../../pkg/formula/index.js").Preset} Preset */
 /** @typedef {import("../common/images.js").Picture} Picture */
 
 /** Pixels of a thumbnail, and of the texture that it is made from. */

@@ -5,7 +5,7 @@ import { slopes, solved } from "./dilatation.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../common/placement.js").Placement} Placement */
-/** @typedef {import("../../pkg/index.js").FormulaMap} FormulaMap */
+/** @typedef {import("../../pkg/formula/index.js").FormulaMap} FormulaMap */
 
 /** Places a side that are looked at, of which so many are followed. */
 const SIDE = 56;

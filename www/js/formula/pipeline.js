@@ -1,6 +1,6 @@
 // From a formula to two pictures: the texture's own plane, and what the formula makes of it. Slow ones come coarse to fine.
 
-import { FormulaMap, presets, Texture } from "../../pkg/index.js";
+import { FormulaMap, presets, Texture } from "../../pkg/formula/index.js";
 import { SPACE } from "../common/colours.js";
 import { flatten, onGrid, scaledTo, unflatten } from "../common/frame.js";
 import { compile } from "./compile.js";
@@ -13,9 +13,9 @@ import { drawLevels, portray, valuesOver } from "./portrait.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
-/** @typedef {import("../../pkg/index.js").Direction} Direction */
-/** @typedef {import("../../pkg/index.js").Quality} Quality */
-/** @typedef {import("../../pkg/index.js").Wrap} Wrap */
+/** @typedef {import("../../pkg/formula/index.js").Direction} Direction */
+/** @typedef {import("../../pkg/formula/index.js").Quality} Quality */
+/** @typedef {import("../../pkg/formula/index.js").Wrap} Wrap */
 /** @typedef {import("./portrait.js").Part} Part */
 /** @typedef {"picture" | import("./portrait.js").Scheme} Colours what the planes show */
 /** @typedef {"none" | "cartesian" | "polar" | Part | "stretch" | "argument" | "ellipses"} Lines what is drawn over that */

@@ -6,7 +6,7 @@
 import { evenHue, labToBytes } from "./oklab.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
-/** @typedef {import("../../pkg/index.js").FormulaMap} FormulaMap */
+/** @typedef {import("../../pkg/formula/index.js").FormulaMap} FormulaMap */
 /** @typedef {"hue" | "shaded" | "contours" | "gold" | "chess"} Scheme */
 /** Level lines of one part of f. @typedef {"real" | "imaginary" | "modulus" | "phase"} Part */
 /** Values of f, a column and a row more than the pixels of a band; what a pixel is wide. @typedef {{ values: Float64Array, columns: number, rows: number }} Grid */

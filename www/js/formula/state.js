@@ -7,9 +7,9 @@ import { PRINCIPAL } from "./cut.js";
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./pipeline.js").Lines} Lines */
 /** @typedef {import("./pipeline.js").Colours} Colours */
-/** @typedef {import("../../pkg/index.js").Direction} Direction */
-/** @typedef {import("../../pkg/index.js").Wrap} Wrap */
-/** @typedef {import("../../pkg/index.js").Preset} Preset */
+/** @typedef {import("../../pkg/formula/index.js").Direction} Direction */
+/** @typedef {import("../../pkg/formula/index.js").Wrap} Wrap */
+/** @typedef {import("../../pkg/formula/index.js").Preset} Preset */
 /** A part of a plane, whatever its pixels. @typedef {{ center: Point, width: number }} Placement */
 /**
  * @typedef {object} State
