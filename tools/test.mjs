@@ -31,7 +31,8 @@ await main(async () => {
   // Imported late: it needs the npm packages, which the set-up has installed.
   const { installChromium } = await import("./chromium.mjs");
   const CHROMIUM = await installChromium();
-  await show("the page, in Chromium", process.execPath, ["--test", ...testFiles("browser")], { CHROMIUM });
+  // Two files at once: a page waits for its workers much of the time.
+  await show("the page, in Chromium", process.execPath, ["--test", "--test-concurrency=2", ...testFiles("browser")], { CHROMIUM });
 
   console.log(`\nEverything holds; it took ${((performance.now() - start) / 1000).toFixed(0)} s.`);
 });

@@ -42,15 +42,20 @@ async function slowness(page) {
 /** Others may work on this machine: the best of so many tries counts. */
 const TRIES = 4;
 
+/** Milliseconds from one move of a mouse to the next, whatever the page makes of it. */
+const MOVE = 8;
+
 /** Moves with the button held. @param {Page} page @param {Place} at @param {number} ms @param {number} reach in pixels */
 async function wiggle(page, { x, y }, ms, reach) {
   await page.mouse.move(x, y);
   await page.mouse.down();
   const end = Date.now() + ms;
+  const moves = [];
   for (let n = 1; Date.now() < end; n++) {
-    await page.mouse.move(x + reach * Math.sin(n / 7), y + reach * Math.sin(n / 9));
-    await new Promise((resolve) => setTimeout(resolve, 8));
+    moves.push(page.mouse.move(x + reach * Math.sin(n / 7), y + reach * Math.sin(n / 9)));
+    await new Promise((resolve) => setTimeout(resolve, MOVE));
   }
+  await Promise.all(moves);
   await page.mouse.up();
 }
 

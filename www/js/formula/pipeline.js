@@ -10,6 +10,7 @@ import { dilatationOver, drawEllipses, slopes } from "./dilatation.js";
 import { gridLines, spokesOf, unbroken } from "./grid.js";
 import { preimage } from "./inverse.js";
 import { drawLevels, portray, valuesOver } from "./portrait.js";
+import { StillPlanes } from "./still.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -62,6 +63,7 @@ const FINER = 2;
 export class FormulaPipeline {
   /** @type {{ pixels: Uint8ClampedArray, size: Point } | null} */
   #picture = null;
+  #still = new StillPlanes();
   /** The picture, made ready for one way of going on beyond its edges. @type {{ wrap: Wrap, texture: Texture } | null} */
   #ready = null;
   /** Cuts that were found last: most of what a hand moves leaves them where they are. @type {Map<string, import("./cut-lines.js").Piece[]>} */
@@ -74,6 +76,7 @@ export class FormulaPipeline {
     this.#picture = { pixels, size: frame.pixels };
     this.#ready?.texture.free();
     this.#ready = null;
+    this.#still.forget();
   }
 
   /** @param {Job} job @param {Talk} talk */
@@ -84,7 +87,7 @@ export class FormulaPipeline {
     const begin = performance.now();
     const dilatation = dilatationOver(map, job.direction === "pull-back" ? job.target : job.source);
     /** @param {number} side @param {Quality} quality @param {(share: number) => void} [onShare] */
-    const draw = (side, quality, onShare) => drawBoth({ map, identity, texture, job, begin, dilatation }, side, quality, talk, onShare);
+    const draw = (side, quality, onShare) => drawBoth({ map, identity, texture, still: this.#still, job, begin, dilatation }, side, quality, talk, onShare);
     try {
       const full = job.target.pixels[0];
       const first = await draw(Math.min(FIRST, full), "bilinear");
@@ -189,35 +192,52 @@ const cutIn = ({ formula, params, cut }) => turned(formula, Object.keys(params),
 
 /**
  * Both pictures, with so many pixels a side.
- * @param {{ map: FormulaMap, identity: FormulaMap, texture: Texture, job: Job, begin: number, dilatation: Result["dilatation"] }} what @param {number} side
+ * @param {{ map: FormulaMap, identity: FormulaMap, texture: Texture, still: StillPlanes, job: Job, begin: number, dilatation: Result["dilatation"] }} what @param {number} side
  * @param {Quality} quality @param {Talk} talk @param {(share: number) => void} [onShare] of the rows
  */
-async function drawBoth({ map, identity, texture, job, begin, dilatation }, side, quality, talk, onShare = () => {}) {
-  const { texture: frame, direction, colours, version } = job;
+async function drawBoth({ map, identity, texture, still, job, begin, dilatation }, side, quality, talk, onShare = () => {}) {
+  const { texture: frame, direction, colours, lines, density, wrap, fine, version } = job;
   const [source, target] = [job.source, job.target].map((view) => onGrid(view, [side, side]));
   const started = performance.now();
   const photo = colours === "picture";
-  const sourcePixels = photo ? /** @type {Pixels} */ (identity.warp(texture, { texture: frame, view: source, quality })) : new Uint8ClampedArray(4 * side * side);
-  const targetPixels = new Uint8ClampedArray(4 * side * side);
   // The map's lines lie in the plane that it is evaluated on; the straight ones are what they go to.
   const pulling = direction === "pull-back";
+  const key = JSON.stringify([source, frame, wrap, quality, pulling, colours, lines, density, fine]);
+  const known = still.copy(key);
+  const sourcePixels = known ?? new Uint8ClampedArray(4 * side * side);
+  const targetPixels = new Uint8ClampedArray(4 * side * side);
+  /** What of the texture's plane does not depend on the formula. @param {Place} place */
+  const drawStill = (place) => {
+    if (photo) identity.warp(texture, { texture: frame, view: source, quality, out: place.out, rows: place.rows });
+    else if (pulling) coloured(null, job, place);
+    if (pulling && isGrid(lines)) drawLines(identity, job, place);
+  };
+  if (!known) {
+    await inBands(side, true, talk, () => {}, (rows) => drawStill({ view: source, out: rowsOf(sourcePixels, rows, side), rows }));
+    still.keep(key, sourcePixels);
+  }
   await inBands(side, pulling || !photo, talk, onShare, (rows) => {
-    const [sourceRows, targetRows] = [sourcePixels, targetPixels].map((pixels) => pixels.subarray(4 * side * rows[0], 4 * side * rows[1]));
-    const places = [{ view: source, out: sourceRows, rows }, { view: target, out: targetRows, rows }];
-    const [here, there] = pulling ? [places[1], places[0]] : places;
-    if (photo) map.warp(texture, { texture: frame, view: target, direction, quality, out: targetRows, rows });
+    const [here, there] = [
+      { view: source, out: rowsOf(sourcePixels, rows, side), rows },
+      { view: target, out: rowsOf(targetPixels, rows, side), rows },
+    ];
+    if (photo) map.warp(texture, { texture: frame, view: target, direction, quality, out: there.out, rows });
+    else if (pulling) coloured(map, job, there);
     else {
       coloured(map, job, here);
       coloured(null, job, there);
     }
-    drawLines(map, job, here);
-    if (isGrid(job.lines)) drawLines(identity, job, there);
+    drawLines(map, job, pulling ? there : here);
+    if (!pulling && isGrid(lines)) drawLines(identity, job, there);
   });
   const warpMs = performance.now() - (side === job.target.pixels[0] ? begin : started);
   /** @type {Result} */
   const result = { version, source, target, sourcePixels, targetPixels, warpMs, dilatation, space: spaceOf(colours) };
   return { result, transfer: [sourcePixels.buffer, targetPixels.buffer] };
 }
+
+/** @param {Pixels} pixels of a square picture @param {[number, number]} rows @param {number} side */
+const rowsOf = (pixels, [first, end], side) => pixels.subarray(4 * side * first, 4 * side * end);
 
 /**
  * Draws rows band by band, each for about as long as the page may wait; at once where a band costs as much as the whole.
