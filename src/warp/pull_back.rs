@@ -47,10 +47,19 @@ impl<M: PlaneMap + ?Sized> Footprints for PullBack<'_, M> {
         for (square, patch) in &blocks.smooth {
             self.draw_patch(strip, patch, square);
         }
-        let mut edge = pixels_of(&blocks.ragged, strip);
-        edge.extend(self.draw_pixels(strip, &pixels_of(&blocks.rough, strip)));
+        let Sides { mut inside, mut edge } = self.sides(&pixels_of(&blocks.ragged, strip));
+        inside.extend(pixels_of(&blocks.rough, strip));
+        edge.extend(self.draw_pixels(strip, &inside));
         self.draw_edge_pixels(strip, &edge);
     }
+}
+
+/// Pixels (column, row of the view) by where they lie.
+struct Sides {
+    /// Within the domain.
+    inside: Vec<(usize, usize)>,
+    /// At its edge.
+    edge: Vec<(usize, usize)>,
 }
 
 /// Samples along each side of a pixel at the edge of the domain. None lies on the pixel's centre or sides, where the
@@ -73,6 +82,24 @@ impl<M: PlaneMap + ?Sized> PullBack<'_, M> {
             let period = self.period[k];
             if period.is_finite() { period * (at[k] / period).floor() } else { 0.0 }
         })
+    }
+
+    /// Sorts pixels by their corners. Of those without a corner inside, what is thinner than they are may still show something.
+    fn sides(&self, pixels: &[(usize, usize)]) -> Sides {
+        let corners = pixels.iter().flat_map(|&(x, y)| [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)]);
+        // Neighbours have them in common.
+        let mut lattice: Vec<(usize, usize)> = corners.clone().collect();
+        lattice.sort_unstable();
+        lattice.dedup();
+        let nodes = self.sight.nodes(&lattice.iter().map(|&(x, y)| (x as f64, y as f64)).collect::<Vec<_>>());
+        let is_defined = |corner| lattice.binary_search(&corner).is_ok_and(|k| nodes[k].is_defined());
+        let corners: Vec<bool> = corners.map(is_defined).collect();
+        let mut sides = Sides { inside: Vec::new(), edge: Vec::new() };
+        for (pixel, corners) in pixels.iter().zip(corners.chunks_exact(4)) {
+            let is_inside = corners.iter().all(|defined| *defined);
+            if is_inside { &mut sides.inside } else { &mut sides.edge }.push(*pixel);
+        }
+        sides
     }
 
     /// Evaluates each pixel at its centre; returns those where that fails.

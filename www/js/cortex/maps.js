@@ -127,4 +127,13 @@ export class Cortex {
 }
 
 /** The points that are some. @param {Float64Array} flat */
-export const finite = (flat) => flatten(unflatten(flat).filter(([x]) => Number.isFinite(x)));
+export function finite(flat) {
+  const kept = new Float64Array(flat.length);
+  let length = 0;
+  for (let k = 0; k < flat.length; k += 2) {
+    if (!Number.isFinite(flat[k])) continue;
+    kept[length++] = flat[k];
+    kept[length++] = flat[k + 1];
+  }
+  return kept.slice(0, length);
+}
