@@ -344,10 +344,19 @@ fn capital(text: &str) -> String {
     first.to_ascii_uppercase() + rest
 }
 
-/// A number for reading: no rows of zeros.
+/// A number for reading: no rows of zeros. Its digits are written as whole numbers, which takes little of a module.
 fn number(value: f64) -> String {
-    let is_usual = value == 0.0 || !value.is_finite() || (1e-4..1e16).contains(&value.abs());
-    if is_usual { format!("{value}") } else { format!("{value:e}") }
+    let size = value.abs();
+    if size == 0.0 || value.is_nan() || (1e-4..1e16).contains(&size) {
+        return format!("{value}");
+    }
+    let sign = if value < 0.0 { "-" } else { "" };
+    if size.is_infinite() {
+        return format!("{sign}infinity");
+    }
+    let exponent = size.log10().floor() as i32;
+    let thousandths = (size / 10f64.powi(exponent) * 1000.0).round() as u32;
+    format!("{sign}{}.{:03}e{exponent}", thousandths / 1000, thousandths % 1000)
 }
 
 /// A point for reading, to seven digits of its larger coordinate.
@@ -373,7 +382,8 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        assert_eq!([0.0, -1.5, 1e-300, 2.0_f64.powi(80)].map(number), ["0", "-1.5", "1e-300", "1.2089258196146292e24"]);
+        assert_eq!([0.0, -1.5, 1e-300, -2f64.powi(80)].map(number), ["0", "-1.5", "1.000e-300", "-1.209e24"]);
+        assert_eq!([f64::NEG_INFINITY, f64::NAN].map(number), ["-infinity", "NaN"]);
     }
 
     #[test]
