@@ -3,6 +3,7 @@
 use super::polygon::ON_BOUNDARY;
 use super::{BoundaryPoint, Complex64, CurvedOutline, Edge, Polygon, SmoothCurve};
 use crate::{Error, Result};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// How the boundary points are joined.
@@ -135,14 +136,62 @@ impl Contour {
     /// The point of the curve nearest to `z`; the end of an edge, if it is that up to rounding.
     pub fn nearest_or_end(&self, z: Complex64) -> BoundaryPoint {
         let place = self.nearest(z);
-        let ends = self.curved().map_or(self.polygon.len(), |outline| outline.edges().len());
+        let ends = self.edge_count();
         let end = |edge: usize| BoundaryPoint { edge, t: 0.0, point: self.end(edge) };
         let mut near = [place.edge, (place.edge + 1) % ends].into_iter().map(end);
         near.find(|end| (end.point - place.point).norm() <= self.thickness).unwrap_or(place)
     }
 
+    /// Number of its edges; of a smooth curve, of its points.
+    pub fn edge_count(&self) -> usize {
+        self.curved().map_or(self.polygon.len(), |outline| outline.edges().len())
+    }
+
+    /// About how many places on each edge see as much as one on an edge of a polygon.
+    pub fn detail(&self) -> usize {
+        const PLACES: usize = 8;
+        if self.curved().is_some() { PLACES } else { 1 }
+    }
+
+    /// The point behind a share of an edge, or behind that of its parameter.
+    pub fn point(&self, place: BoundaryPoint) -> Complex64 {
+        match &self.shape {
+            Shape::Smooth(curve) => curve.point(curve.parameter(place)),
+            Shape::Curved(outline) => outline.edges()[place.edge].point(place.t),
+            Shape::Straight => {
+                let (a, b) = self.polygon.edge(place.edge);
+                a + (b - a) * place.t
+            }
+        }
+    }
+
+    /// The angle by which the boundary turns to the left where an edge starts; `None` if it is a smooth curve.
+    pub fn turn(&self, edge: usize) -> Option<f64> {
+        if self.smooth().is_some() {
+            return None;
+        }
+        if let Some(outline) = self.curved() {
+            return Some((1.0 - outline.alpha(edge)) * PI);
+        }
+        let before = self.polygon.edge((edge + self.polygon.len() - 1) % self.polygon.len());
+        let after = self.polygon.edge(edge);
+        Some(((after.1 - after.0) * (before.1 - before.0).conj()).arg())
+    }
+
+    /// As a chain of edges; `None` if it is a smooth curve.
+    pub fn as_edges(&self) -> Option<Result<Arc<CurvedOutline>>> {
+        match &self.shape {
+            Shape::Smooth(_) => None,
+            Shape::Curved(outline) => Some(Ok(Arc::clone(outline))),
+            Shape::Straight => {
+                let edges = (0..self.polygon.len()).map(|k| self.polygon.edge(k)).map(|(a, b)| Edge::line(a, b));
+                Some(CurvedOutline::new(&edges.collect::<Vec<_>>()).map(Arc::new))
+            }
+        }
+    }
+
     /// Where an edge starts.
-    fn end(&self, edge: usize) -> Complex64 {
+    pub fn end(&self, edge: usize) -> Complex64 {
         self.curved().map_or_else(|| self.polygon.vertices()[edge], |outline| outline.edges()[edge].from())
     }
 

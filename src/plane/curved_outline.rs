@@ -114,6 +114,19 @@ impl CurvedOutline {
         self.horns.as_ref()
     }
 
+    /// A point inside, not near the edges as far as there is such a one.
+    pub(crate) fn inner_point(&self) -> Complex64 {
+        const DEEPEST: i32 = 24;
+        // Where it is thin, left of the middles of its edges.
+        let beside = |edge: &Edge| {
+            let (middle, along) = (edge.point(0.5), edge.tangent(0.5.into()));
+            let left = Complex64::i() * along / along.norm() * self.size;
+            (1..DEEPEST).map(move |k| middle + left * 2f64.powi(-k))
+        };
+        let others: Vec<Complex64> = self.edges.iter().flat_map(beside).collect();
+        super::inner_point(self.bounds(), &others, &|z| self.signed_distance(z))
+    }
+
     /// Lower left and upper right corners of the bounding box.
     #[must_use]
     pub fn bounds(&self) -> (Complex64, Complex64) {

@@ -2,7 +2,7 @@
 
 use super::contour::{Contour, Curve};
 use super::region::Region;
-use super::{BoundaryPoint, Complex64, Polygon};
+use super::{BoundaryPoint, Complex64, Edge, Polygon};
 use crate::{Error, Result};
 
 /// A region with any number of holes, or the unbounded outside of one or more bodies. Validated once here, trusted afterwards.
@@ -40,7 +40,26 @@ impl Domain {
     /// # Errors
     /// Those of [`Region::new`] for the boundary, and in [`Error::InHole`] for holes; [`Error::HolesMeet`] and [`Error::HoleOutside`].
     pub fn new(boundary: &[Complex64], holes: &[Vec<Complex64>], curve: Curve) -> Result<Self> {
-        Self::of(Some(Contour::new(boundary, curve)?), holes, curve)
+        Self::of(Some(Contour::new(boundary, curve)?), holes, &|points| Contour::new(points, curve))
+    }
+
+    /// The same of closed chains of edges, lines and curves as they were drawn.
+    ///
+    /// ```
+    /// use conformal_warp::{Complex64, Domain, Edge};
+    /// use std::f64::consts::TAU;
+    /// let circle = |radius: f64| [Edge::circular(Complex64::ZERO, radius, 0.0, TAU)];
+    /// let ring = Domain::from_edges(&circle(2.0), &[circle(1.0).to_vec()])?;
+    /// assert!(ring.contains(Complex64::from_polar(1.0 + 1e-14, 1.0)));
+    /// assert!(!ring.contains(Complex64::from_polar(1.0 - 1e-14, 1.0)));
+    /// # Ok::<(), conformal_warp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Region::from_edges`] for the boundary, and in [`Error::InHole`] for holes; [`Error::HolesMeet`] and
+    /// [`Error::HoleOutside`].
+    pub fn from_edges(boundary: &[Edge], holes: &[Vec<Edge>]) -> Result<Self> {
+        Ok(Self::of(Some(Contour::from_edges(boundary)?), holes, &|edges| Contour::from_edges(edges))?.straightened())
     }
 
     /// What lies outside every one of some bodies.
@@ -48,23 +67,40 @@ impl Domain {
     /// # Errors
     /// As [`Domain::new`]; [`Error::WrongRegion`] without a body.
     pub fn exterior(bodies: &[Vec<Complex64>], curve: Curve) -> Result<Self> {
-        if bodies.is_empty() {
+        Self::of(None, bodies, &|points| Contour::new(points, curve))
+    }
+
+    /// The same of closed chains of edges.
+    ///
+    /// # Errors
+    /// As [`Domain::from_edges`]; [`Error::WrongRegion`] without a body.
+    pub fn exterior_of_edges(bodies: &[Vec<Edge>]) -> Result<Self> {
+        Ok(Self::of(None, bodies, &|edges| Contour::from_edges(edges))?.straightened())
+    }
+
+    fn of<T>(outer: Option<Contour>, holes: &[Vec<T>], contour: &dyn Fn(&[T]) -> Result<Contour>) -> Result<Self> {
+        let bounded = outer.is_some();
+        if !bounded && holes.is_empty() {
             let found = "none".to_string();
             return Err(Error::WrongRegion { what: "The outside of bodies", needed: "at least one body", found });
         }
-        Self::of(None, bodies, curve)
-    }
-
-    fn of(outer: Option<Contour>, holes: &[Vec<Complex64>], curve: Curve) -> Result<Self> {
-        let bounded = outer.is_some();
         let mut contours: Vec<Contour> = outer.into_iter().collect();
         for (hole, points) in holes.iter().enumerate() {
             let named = |error| Error::InHole { hole, error: Box::new(error) };
-            contours.push(Contour::new(points, curve).map_err(named)?);
+            contours.push(contour(points).map_err(named)?);
         }
         let domain = Self { contours, bounded, center: None, toward: None };
         domain.check()?;
         Ok(domain)
+    }
+
+    /// The same domain bounded by polygons, if all of its edges are straight: these are faster.
+    fn straightened(self) -> Self {
+        let straight: Option<Vec<Contour>> = self.contours.iter().map(Contour::straightened).collect();
+        match straight {
+            Some(contours) => Self { contours, ..self },
+            None => self,
+        }
     }
 
     /// Holes must not meet anything, and lie where holes can be.
@@ -191,7 +227,7 @@ impl Domain {
 
     /// The place on a component where so many of its edges, counter-clockwise and around as often as that takes, lie behind.
     pub(crate) fn place_along(&self, component: usize, edges: f64) -> DomainPoint {
-        let count = self.contours[component].polygon().len();
+        let count = self.contours[component].edge_count();
         let place = edges.rem_euclid(count as f64);
         let edge = (place as usize).min(count - 1);
         DomainPoint { component, place: BoundaryPoint { edge, t: place - edge as f64, point: Complex64::ZERO } }
@@ -199,13 +235,7 @@ impl Domain {
 
     /// The point there.
     pub(crate) fn point_along(&self, component: usize, edges: f64) -> Complex64 {
-        let DomainPoint { place, .. } = self.place_along(component, edges);
-        let contour = &self.contours[component];
-        if let Some(curve) = contour.smooth() {
-            return curve.point(curve.parameter(place));
-        }
-        let (a, b) = contour.polygon().edge(place.edge);
-        a + (b - a) * place.t
+        self.contours[component].point(self.place_along(component, edges).place)
     }
 
     /// The polygons of its components, the region to the left of each.

@@ -104,6 +104,14 @@ pub fn parse_path(data: &str) -> Result<Vec<Edge>> {
     }
 }
 
+/// The data of an SVG path in the plane's own coordinates → a closed curve, the largest of those that it draws, and the holes in it.
+///
+/// # Errors
+/// As [`parse_shape`].
+pub fn parse_path_with_holes(data: &str) -> Result<Shape> {
+    sorted(svg_path::read(data.trim()).map_err(invalid)?.iter().map(|chain| closed(chain)).collect())
+}
+
 /// A closed chain of edges → the data of an SVG path in the plane's own coordinates, from which [`parse_path`] makes the same
 /// edges, up to the rounding of arcs.
 #[must_use]

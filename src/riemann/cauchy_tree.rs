@@ -6,7 +6,7 @@ use super::atlas::power_series::{Series, value_and_slope};
 use super::lazy_tree::{Decision, LazyTree, Square};
 use crate::Result;
 use crate::plane::Complex64;
-use crate::symm::curved_cauchy::{CauchyPart, Evaluated, Sampled, Seen, Side, Sums, sums_from};
+use crate::symm::curved::cauchy::{CauchyPart, Evaluated, Sampled, Seen, Side, Sums, sums_from};
 use crate::symm::multipole::shift_series;
 use crate::symm::options::Progress;
 use std::f64::consts::SQRT_2;
@@ -59,15 +59,20 @@ const ROUGHLY: f64 = 1e-8;
 const DEEPEST: u32 = 24;
 
 impl CauchyTree {
-    /// Nothing decided yet: the square around all targets, and series good to a tolerance.
+    /// Nothing decided yet: the square around all targets, what the sums below are `around` the boundary, and series good to a
+    /// tolerance.
     #[must_use]
-    pub fn new((center, half): (Complex64, f64), side: Side, parts: &[Arc<CauchyPart>], tolerance: f64) -> Self {
+    pub fn new(
+        (center, half): (Complex64, f64),
+        side: Side,
+        parts: &[Arc<CauchyPart>],
+        around: Complex64,
+        tolerance: f64,
+    ) -> Self {
         let terms = (-tolerance.ln() / AWAY.ln()).ceil() as usize;
-        let far = FarSeries {
-            center,
-            radius: half * SQRT_2,
-            series: [vec![Complex64::ZERO; terms], vec![Complex64::ZERO; terms]],
-        };
+        let mut series = [vec![Complex64::ZERO; terms], vec![Complex64::ZERO; terms]];
+        series[1][0] = around;
+        let far = FarSeries { center, radius: half * SQRT_2, series };
         let known = FarAndNear { far: Arc::new(far), near: parts.into() };
         let least_level = if tolerance > ROUGHLY { LEAST_LEVEL_ROUGHLY } else { LEAST_LEVEL };
         Self { tree: LazyTree::new(center, half, known), side, least_level }

@@ -7,9 +7,9 @@ use super::rounding::{is_on_circle, is_outside_disk, onto_disk};
 use super::solved_region::{Evidence, SolvedRegion};
 use crate::plane::{BoundaryPoint, Complex64, CurvedOutline, CutHorns, Region};
 use crate::stored::{Reader, Writer};
-use crate::symm::curved_cauchy::Side;
-use crate::symm::curved_solution::CurvedSolution;
-use crate::symm::curved_solve::{solve_curved, solve_curved_again};
+use crate::symm::curved::cauchy::Side;
+use crate::symm::curved::solution::CurvedSolution;
+use crate::symm::curved::solve::{solve_curved, solve_curved_again};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
@@ -49,7 +49,7 @@ impl SolvedEdges {
             let parts = self.solution.parts();
             let disk = (Complex64::ZERO, 1.0 + 1e-9);
             [(square, Side::Region), (disk, Side::Disk)]
-                .map(|(square, side)| CauchyTree::new(square, side, parts, self.series_error()))
+                .map(|(square, side)| CauchyTree::new(square, side, parts, Complex64::ZERO, self.series_error()))
         })
     }
 

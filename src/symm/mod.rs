@@ -25,26 +25,17 @@
 //!
 //! `smooth` does all this, more simply, for smooth curves, on a `smooth_system`.
 //!
-//! `curved_solve` does it for boundaries of analytic edges: the parameter of an edge takes the place of arc length
-//! (`curved_boundary`), and the panels' rules that of its logarithm (`curved_kernel`, `curved_discretisation`);
-//! `curved_solution` is the answer, with `curved_cauchy` for many points. To the equations both are `panelled`.
+//! `curved` does it for boundaries of analytic edges. To the equations both are `panelled`.
 //!
 //! `stored` keeps solutions as bytes.
 //!
-//! `field` and `smooth_field` are what a `problem` of a region with holes gives: one analytic function, known everywhere.
+//! `field`, `smooth_field` and `curved::field` are what a `problem` of a region with holes gives: one analytic function, known everywhere.
 
 pub(crate) mod center;
 mod circle_iteration;
 mod clusters;
 pub(crate) mod correspondence;
-mod curved_boundary;
-pub(crate) mod curved_cauchy;
-mod curved_discretisation;
-mod curved_inverse;
-mod curved_kernel;
-pub(crate) mod curved_solution;
-pub(crate) mod curved_solve;
-mod curved_stored;
+pub(crate) mod curved;
 mod discretisation;
 pub(crate) mod far_center;
 mod fast_log;

@@ -63,6 +63,11 @@ pub trait Panelled: Send + Sync {
         Target { panel: q, s, corner: panel.corner, offset: self.offset(q, s) }
     }
 
+    /// The boundary at `s` of a panel.
+    fn point(&self, q: usize, s: f64) -> Complex64 {
+        self.vertex(q) + self.offset(q, s)
+    }
+
     /// The boundary at the given τ of every panel.
     fn targets(&self, taus: &[f64]) -> Vec<Target> {
         (0..self.panel_count()).flat_map(|q| taus.iter().map(move |tau| self.target(q, *tau))).collect()

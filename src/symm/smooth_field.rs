@@ -6,7 +6,7 @@
 use super::problem::{Problem, Source};
 use super::smooth_system::SmoothSystem;
 use crate::plane::fourier::transform;
-use crate::plane::{Complex64, SmoothCurve};
+use crate::plane::{Complex64, inner_point};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -67,7 +67,11 @@ impl SmoothField {
             transform(&masses)[1..own.len().div_ceil(2)].to_vec()
         };
         let waves = system.loops.iter().map(waves_of).collect();
-        let inner_points = system.curves.iter().map(|curve| inner_point(curve) * system.unit).collect();
+        let inner_points = system
+            .curves
+            .iter()
+            .map(|curve| inner_point(curve.outline().bounds(), &[], &|z| curve.signed_distance(z)) * system.unit)
+            .collect();
         let mut field = Self {
             system: Arc::clone(system),
             bounded,
@@ -240,18 +244,4 @@ fn continuous_arguments(nodes: &[Complex64], p: Complex64) -> Vec<f64> {
             argument
         })
         .collect()
-}
-
-/// A point well inside a curve.
-fn inner_point(curve: &SmoothCurve) -> Complex64 {
-    const STEPS: u32 = 12;
-    let (low, high) = curve.outline().bounds();
-    let size = high - low;
-    let share = |k: u32| (f64::from(k) + 0.5) / f64::from(STEPS);
-    let grid = (0..STEPS * STEPS).map(|k| low + Complex64::new(size.re * share(k % STEPS), size.im * share(k / STEPS)));
-    let middle = 0.5 * (low + high);
-    grid.chain([middle])
-        .map(|z| (z, curve.signed_distance(z)))
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-        .map_or(middle, |(z, _)| z)
 }

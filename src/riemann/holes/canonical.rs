@@ -228,11 +228,11 @@ impl Canonical {
     /// The vertex that goes to `target`, and dz/dw there: where a slope is infinite, Newton's method does not arrive.
     #[cold]
     fn vertex_at(&self, target: Complex64) -> Option<(Complex64, Complex64)> {
-        let polygons = self.domain().contours().iter().filter(|contour| contour.smooth().is_none());
-        let mut vertices = polygons.flat_map(|contour| contour.polygon().vertices());
+        let cornered = self.domain().contours().iter().filter(|contour| contour.smooth().is_none());
+        let mut vertices = cornered.flat_map(|contour| (0..contour.edge_count()).map(|edge| contour.end(edge)));
         let found =
-            vertices.find(|&&z| self.key(z).is_some_and(|(key, _)| self.miss(key, target).norm() <= self.reached))?;
-        Some((*found, Complex64::ZERO))
+            vertices.find(|&z| self.key(z).is_some_and(|(key, _)| self.miss(key, target).norm() <= self.reached))?;
+        Some((found, Complex64::ZERO))
     }
 
     /// k − target, on the branch nearest to 0.

@@ -243,9 +243,9 @@ impl Pictures {
     fn checked(&self) -> (f64, f64) {
         let mut worst = (0.0, 1.0);
         for (component, contour) in self.region.domain().contours().iter().enumerate() {
-            let place = |k: usize| (k as f64 + 0.37) / CHECKS as f64;
+            let place = |k: usize| (k as f64 + 0.37) / (CHECKS * contour.detail()) as f64;
             let mut last = self.image(self.region.domain().place_along(component, place(0)));
-            for k in 0..contour.polygon().len() * CHECKS {
+            for k in 0..contour.edge_count() * contour.detail() * CHECKS {
                 let from = place(k.saturating_sub(1));
                 last = last.and_then(|known| self.followed(component, (from, known), place(k), MOST_HALVES));
                 let (miss, stretch) =

@@ -175,8 +175,10 @@ impl Electrostatics {
     fn places_of_flux(&self, component: usize, count: usize) -> Vec<Complex64> {
         const SAMPLES: usize = 24;
         let domain = self.field.domain();
-        let samples = domain.contours()[component].polygon().len() * SAMPLES;
-        let at = |k: usize| domain.place_along(component, k as f64 / SAMPLES as f64);
+        let contour = &domain.contours()[component];
+        let per_edge = SAMPLES * contour.detail();
+        let samples = contour.edge_count() * per_edge;
+        let at = |k: usize| domain.place_along(component, k as f64 / per_edge as f64);
         let phases: Vec<f64> = (0..samples).map(|k| self.field.on_boundary(at(k)).0.im).collect();
         // Around the wall Im B grows or falls by 2π times the charge.
         let whole = TAU * self.charges[component];
@@ -194,7 +196,7 @@ impl Electrostatics {
             let wanted = (n as f64 + 0.5) / count as f64 * sums[samples];
             let k = sums.partition_point(|sum| *sum < wanted).clamp(1, samples) - 1;
             let share = (wanted - sums[k]) / (sums[k + 1] - sums[k]);
-            domain.point_along(component, (k as f64 + share) / SAMPLES as f64)
+            domain.point_along(component, (k as f64 + share) / per_edge as f64)
         };
         (0..count).map(place).collect()
     }

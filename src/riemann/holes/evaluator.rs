@@ -5,11 +5,13 @@ use super::super::atlas::quadtree::square_around;
 use super::super::atlas::walls::Walls;
 use super::curve_squares::CurveSquares;
 use super::cuts::Cuts;
+use super::edge_squares::EdgeSquares;
 use super::far_series::FarSeries;
 use super::inside::{Ground, Inside};
 use super::polygon_squares::PolygonSquares;
 use crate::Result;
 use crate::plane::{Complex64, Domain};
+use crate::symm::curved::field::CurvedField;
 use crate::symm::field::Field;
 use crate::symm::options::Progress;
 use crate::symm::problem::Source;
@@ -33,6 +35,7 @@ pub struct Evaluator {
 enum Squares {
     Polygons(PolygonSquares),
     Curves(CurveSquares),
+    Edges(EdgeSquares),
 }
 
 /// What the expansions say of a point.
@@ -68,18 +71,27 @@ impl Evaluator {
     /// Of a smooth curve's field on `domain`, whose coordinates are (z − origin) × unit.
     #[must_use]
     pub fn of_curves(field: &SmoothField, domain: &Arc<Domain>, (origin, unit): (Complex64, f64)) -> Self {
-        let corners: Vec<Complex64> = domain
-            .contours()
-            .iter()
-            .map(|contour| contour.outline().bounds())
-            .flat_map(|(low, high)| [low, high, Complex64::new(low.re, high.im), Complex64::new(high.re, low.im)])
-            .map(|z| (z - origin) * unit)
-            .collect();
+        let corners = corners_of(domain, (origin, unit));
         let (ground, far) = ground(&corners, domain.is_bounded(), &|z| field.log_slope(z));
         let squares = Squares::Curves(CurveSquares::new(field, domain, (origin, unit), ground));
         let charges = field.charged_holes().map(|(charge, point)| (point, charge));
         let [cuts, cuts_with_source] = cuts_of(charges, field.source);
         Self { squares, far, source: field.source, cuts, cuts_with_source }
+    }
+
+    /// Of a field on `domain`, bounded by analytic edges, whose coordinates are (z − origin) × unit.
+    #[must_use]
+    pub fn of_edges(field: &CurvedField, domain: &Domain, scale: (Complex64, f64), solve_error: f64) -> Self {
+        let (ground, far) = ground(&corners_of(domain, scale), domain.is_bounded(), &|z| field.log_slope(z));
+        let squares = Squares::Edges(EdgeSquares::new(field, ground, solve_error));
+        let [cuts, cuts_with_source] = cuts_of(field.charged_holes(), field.source);
+        Self { squares, far, source: field.source, cuts, cuts_with_source }
+    }
+
+    /// (B, B') beside a wall, if the squares know it there.
+    #[must_use]
+    pub fn beside(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
+        if let Squares::Edges(squares) = &self.squares { squares.beside(z) } else { None }
     }
 
     /// Makes what would be made when it is first asked for.
@@ -90,6 +102,7 @@ impl Evaluator {
         match &self.squares {
             Squares::Polygons(_) => Ok(()),
             Squares::Curves(squares) => squares.fill(progress),
+            Squares::Edges(squares) => squares.fill(progress),
         }
     }
 
@@ -113,6 +126,8 @@ impl Evaluator {
             (Inside::Beyond, Some(far), _) => self.cuts.differing(far.middle(), z),
             (_, _, Squares::Polygons(squares)) => squares.branch(z, [&self.cuts, &self.cuts_with_source]),
             (_, _, Squares::Curves(squares)) => squares.branch(z, &self.cuts),
+            // Logarithms are principal ones.
+            (_, _, Squares::Edges(_)) => Complex64::ZERO,
         }
     }
 
@@ -128,6 +143,7 @@ impl Evaluator {
         match &self.squares {
             Squares::Polygons(squares) => squares.at(z),
             Squares::Curves(squares) => squares.at(z),
+            Squares::Edges(squares) => squares.at(z),
         }
     }
 
@@ -139,6 +155,14 @@ impl Evaluator {
         let (source, source_slope) = self.source.at(z);
         Found::Known(value - source, slope - source_slope)
     }
+}
+
+/// The corners of the boxes around a domain's contours, as (z − origin) × unit.
+fn corners_of(domain: &Domain, (origin, unit): (Complex64, f64)) -> Vec<Complex64> {
+    let boxes = domain.contours().iter().map(|contour| contour.outline().bounds());
+    let corners =
+        boxes.flat_map(|(low, high)| [low, high, Complex64::new(low.re, high.im), Complex64::new(high.re, low.im)]);
+    corners.map(|z| (z - origin) * unit).collect()
 }
 
 /// The cuts of L and of B.

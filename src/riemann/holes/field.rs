@@ -4,6 +4,7 @@ use super::super::atlas::accuracy::Accuracy;
 use super::evaluator::{Evaluator, Found};
 use crate::Result;
 use crate::plane::{BoundaryPoint, Complex64, Domain, DomainPoint};
+use crate::symm::curved::field::CurvedField;
 use crate::symm::field::Field;
 use crate::symm::options::{Progress, unless_cancelled};
 use crate::symm::smooth_field::SmoothField;
@@ -28,6 +29,8 @@ pub enum Kind {
     Polygons(Field),
     /// Nodes of smooth curves.
     Smooth(SmoothField),
+    /// Panels on curved edges.
+    Curved(CurvedField),
 }
 
 impl DomainField {
@@ -62,6 +65,9 @@ impl DomainField {
                 Evaluator::of_polygons(field, thickness * self.unit, self.accuracy, progress)
             }
             Kind::Smooth(field) => Evaluator::of_curves(field, &self.domain, (self.origin, self.unit)),
+            Kind::Curved(field) => {
+                Evaluator::of_edges(field, &self.domain, (self.origin, self.unit), self.accuracy.solve_error)
+            }
         }
     }
 
@@ -77,6 +83,7 @@ impl DomainField {
         match &self.kind {
             Kind::Polygons(field) => &field.constants,
             Kind::Smooth(field) => &field.constants,
+            Kind::Curved(field) => &field.constants,
         }
     }
 
@@ -134,6 +141,7 @@ impl DomainField {
         let scaled = (z - self.origin) * self.unit;
         let (value, slope) = match &self.kind {
             Kind::Smooth(field) => field.at(scaled),
+            Kind::Curved(field) => self.evaluator().beside(scaled).unwrap_or_else(|| field.at(scaled)),
             Kind::Polygons(field) => {
                 let (edge, t) = self.oriented(self.domain.nearest(z));
                 field.at(scaled, (edge, t))
@@ -151,6 +159,7 @@ impl DomainField {
                 let t = contour.smooth().map_or(f64::NAN, |curve| curve.parameter(point.place));
                 field.on_curve_with_slope(point.component, t)
             }
+            Kind::Curved(field) => field.on_edge(point.component, point.place.edge, point.place.t),
             Kind::Polygons(field) => {
                 let (edge, t) = self.oriented(point);
                 field.on_edge(edge, t)
@@ -160,14 +169,18 @@ impl DomainField {
     }
 
     /// The singular part of the density at a vertex of a component, or the density there if the curve is smooth, up to a factor
-    /// that the boundary alone decides.
+    /// that the boundary and another field, of which that is not 0, decide.
     #[must_use]
-    pub fn strength(&self, component: usize, vertex: usize) -> f64 {
+    pub fn strength(&self, other: &Self, component: usize, vertex: usize) -> f64 {
         let place = BoundaryPoint { edge: vertex, t: 0.0, point: Complex64::ZERO };
         match &self.kind {
             Kind::Smooth(field) => {
                 let contour = &self.domain.contours()[component];
                 field.density(component, contour.smooth().map_or(f64::NAN, |curve| curve.parameter(place)))
+            }
+            Kind::Curved(field) => {
+                let Kind::Curved(other) = &other.kind else { return f64::NAN };
+                field.strength(other, component, vertex)
             }
             Kind::Polygons(field) => {
                 // The oriented edge that ends at the vertex, and the one after it.

@@ -235,11 +235,11 @@ impl PotentialFlow {
         let mut found = Vec::new();
         for (component, contour) in contours.iter().enumerate() {
             const SAMPLES: usize = 8;
-            let edges = contour.polygon().len();
+            let (edges, per_edge) = (contour.edge_count(), SAMPLES * contour.detail());
             // φ along the body rises and falls between stagnation points.
             let phi = |place: f64| (self.factor * self.field.on_boundary(along(component, place)).0).re;
-            let step = 1.0 / SAMPLES as f64;
-            let count = edges * SAMPLES;
+            let step = 1.0 / per_edge as f64;
+            let count = edges * per_edge;
             let turn = self.circulation[component];
             let values: Vec<f64> = (0..count).map(|k| phi(k as f64 * step)).collect();
             let value = |k: usize| values[k % count] + turn * (k / count) as f64;
@@ -282,15 +282,12 @@ fn checked(domain: &Domain, speed: f64, angle: f64, circulation: &Circulation) -
     }
     let Circulation::Kutta { trailing } = circulation else { return Ok(()) };
     for (contour, &vertex) in domain.contours().iter().zip(trailing) {
-        let (value, polygon) = (vertex as f64, contour.polygon());
-        if vertex >= polygon.len() {
+        let value = vertex as f64;
+        if vertex >= contour.edge_count() {
             let expected = "the index of a boundary point of its body";
             return Err(Error::InvalidOption { name: "trailing", expected, value });
         }
-        let before = polygon.edge((vertex + polygon.len() - 1) % polygon.len());
-        let after = polygon.edge(vertex);
-        let turn = ((after.1 - after.0) * (before.1 - before.0).conj()).arg();
-        if contour.smooth().is_none() && !(turn > 0.0 && turn <= PI) {
+        if contour.turn(vertex).is_some_and(|turn| !(turn > 0.0 && turn <= PI)) {
             let expected = "a vertex at which its body has a corner that points outwards";
             return Err(Error::InvalidOption { name: "trailing", expected, value });
         }
@@ -308,7 +305,7 @@ fn kutta_charges(solved: &Solved, [along_x, along_y]: [f64; 2], trailing: &[usiz
     let mut system = Vec::with_capacity(bodies * bodies);
     let mut rhs = Vec::with_capacity(bodies);
     for (body, &vertex) in trailing.iter().enumerate() {
-        let strengths: Vec<f64> = fields.iter().map(|field| field.strength(body, vertex)).collect();
+        let strengths: Vec<f64> = fields.iter().map(|field| field.strength(&fields[1 + body], body, vertex)).collect();
         system.extend_from_slice(&strengths[1..]);
         rhs.push(-strengths[0]);
     }

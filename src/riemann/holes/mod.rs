@@ -10,6 +10,7 @@ mod circle_search;
 mod circles;
 mod curve_squares;
 mod cuts;
+mod edge_squares;
 mod electrostatics;
 mod evaluator;
 mod exterior;

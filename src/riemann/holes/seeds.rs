@@ -1,6 +1,6 @@
 //! Points of a domain with their keys, from which the way back starts.
 
-use crate::plane::{Complex64, Domain, sort_by_number};
+use crate::plane::{Complex64, Curve, Domain, sort_by_number};
 use std::f64::consts::TAU;
 
 /// Pairs (key, z), found by their keys.
@@ -145,7 +145,7 @@ fn samples(domain: &Domain) -> Vec<Complex64> {
             for t in ALONG.iter().step_by(stride) {
                 let (a, b) = outline.edge(edge);
                 let z = a + (b - a) * t;
-                points.push(if contour.smooth().is_some() { contour.nearest(z).point } else { z });
+                points.push(if contour.curve() == Curve::Polygon { z } else { contour.nearest(z).point });
             }
         }
     }

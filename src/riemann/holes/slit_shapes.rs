@@ -78,20 +78,22 @@ fn along_and_across(solved: &Solved) -> [DomainField; 2] {
 /// The mean of a component's slits at several angles: their middle, and a quarter of their length, which is the radius that a
 /// round hole would have.
 fn slit(fields: &[DomainField; 2], unit: f64, component: usize) -> (Complex64, f64) {
-    let edges = fields[0].domain().contours()[component].polygon().len();
+    let contour = &fields[0].domain().contours()[component];
+    let per_edge = SAMPLES * contour.detail();
     // e^{-iθ} times the map at the angle θ has the real part x cos θ + y sin θ.
     let at = |place: f64| {
         let [x, y] = [0, 1].map(|k| fields[k].on_boundary(fields[k].domain().place_along(component, place)).0.im);
         Complex64::new(x, y) * -unit
     };
-    let samples: Vec<Complex64> = (0..edges * SAMPLES).map(|k| at(k as f64 / SAMPLES as f64)).collect();
+    let samples: Vec<Complex64> =
+        (0..contour.edge_count() * per_edge).map(|k| at(k as f64 / per_edge as f64)).collect();
     let (mut middle, mut length) = (Complex64::ZERO, 0.0);
     for turn in (0..ANGLES).map(|k| Complex64::cis(PI * k as f64 / ANGLES as f64)) {
         let along = |z: Complex64| (z * turn.conj()).re;
         let [low, high] = [-1.0, 1.0].map(|sign| {
             let value = |k: usize| sign * along(samples[k]);
             let best = (0..samples.len()).max_by(|&a, &b| value(a).total_cmp(&value(b))).unwrap_or(0);
-            let place = |k: f64| (best as f64 + k) / SAMPLES as f64;
+            let place = |k: f64| (best as f64 + k) / per_edge as f64;
             along(at(peak(&|place| sign * along(at(place)), place(-1.0), place(1.0))))
         });
         middle += turn * ((low + high) / ANGLES as f64);

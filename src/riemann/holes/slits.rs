@@ -236,13 +236,14 @@ fn slits(map: &Canonical, kind: SlitKind, exponential: bool) -> Vec<Slit> {
 /// Im B goes up and down once around a slit: its ends are the extremes.
 fn slit(map: &Canonical, component: usize, exponential: bool) -> Slit {
     let point = |place: f64| map.domain().place_along(component, place);
-    let edges = map.domain().contours()[component].polygon().len();
+    let contour = &map.domain().contours()[component];
     let extreme = |sign: f64| {
         const SAMPLES: usize = 16;
-        let places = (0..edges * SAMPLES).map(|k| k as f64 / SAMPLES as f64);
+        let samples = SAMPLES * contour.detail();
+        let places = (0..contour.edge_count() * samples).map(|k| k as f64 / samples as f64);
         let value = |place: f64| sign * map.field().on_boundary(point(place)).0.im;
         let best = places.max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap_or(0.0);
-        let key = map.key_on_boundary(point(peak(&value, best - 1.0 / SAMPLES as f64, best + 1.0 / SAMPLES as f64))).0;
+        let key = map.key_on_boundary(point(peak(&value, best - 1.0 / samples as f64, best + 1.0 / samples as f64))).0;
         if exponential { key.exp() } else { key }
     };
     Slit { ends: [extreme(1.0), extreme(-1.0)] }

@@ -2,7 +2,10 @@
 
 use super::super::evidence::Evidence;
 use super::field::DomainField;
-use crate::plane::{Complex64, Domain, SmoothCurve};
+use crate::plane::{Complex64, CurvedOutline, Domain, SmoothCurve};
+use crate::symm::curved::discretisation::CurvedDiscretisation;
+use crate::symm::curved::field::CurvedField;
+use crate::symm::curved::solve::solve_curved_problems;
 use crate::symm::field::Field;
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::panelled::Panelled;
@@ -44,6 +47,18 @@ pub struct Solved {
 enum Solutions {
     Polygons(Adapted),
     Smooth(SmoothAdapted),
+    /// With a point inside each component.
+    Curved(Adapted<CurvedDiscretisation>, Vec<Complex64>),
+}
+
+fn evidence_of<D: Panelled>(adapted: &Adapted<D>) -> Evidence {
+    let residuals = adapted.outcomes.iter().map(|outcome| outcome.residual());
+    Evidence {
+        residual: residuals.fold(0.0, f64::max),
+        error_estimate: adapted.error_estimate,
+        unknowns: adapted.system.discretisation.unknowns(),
+        stop: adapted.stop,
+    }
 }
 
 /// Estimates above this are none.
@@ -60,16 +75,28 @@ impl Solved {
         options: &SolveOptions,
         progress: Progress,
     ) -> Result<Self> {
-        if domain.contours().iter().any(|contour| contour.curved().is_some()) {
-            let found = "edges that are curves".to_string();
-            let (what, needed) = ("A map of a region with holes, or of the outside", "polygons or smooth curves");
-            return Err(Error::WrongRegion { what, needed, found });
-        }
         let (origin, local) = domain.local();
         let curves: Option<Vec<Arc<SmoothCurve>>> =
             local.contours().iter().map(|contour| contour.smooth().cloned()).collect();
         let at = |unit: f64| problems(Scale { origin, unit });
+        let is_curved = local.contours().iter().any(|contour| contour.curved().is_some());
         let (solutions, unit, evidence) = match curves {
+            None if is_curved => {
+                let outlines: Option<Result<Vec<Arc<CurvedOutline>>>> =
+                    local.contours().iter().map(|contour| contour.as_edges()).collect();
+                let Some(outlines) = outlines else {
+                    let found = "both".to_string();
+                    let (what, needed) = ("A boundary of several components", "no smooth curve beside edges");
+                    return Err(Error::WrongRegion { what, needed, found });
+                };
+                let outlines = outlines?;
+                let borrowed: Vec<&CurvedOutline> = outlines.iter().map(AsRef::as_ref).collect();
+                let adapted = solve_curved_problems(&borrowed, local.is_bounded(), &at, options, progress)?;
+                let unit = adapted.system.discretisation.boundary.unit;
+                let evidence = evidence_of(&adapted);
+                let inner_points = outlines.iter().map(|outline| outline.inner_point() * unit).collect();
+                (Solutions::Curved(adapted, inner_points), unit, evidence)
+            }
             Some(curves) => {
                 let adapted = solve_smooth_problems(curves, &at, options, progress)?;
                 let evidence = Evidence {
@@ -83,13 +110,7 @@ impl Solved {
             }
             None => {
                 let adapted = solve_problems(&local, &|boundary| at(boundary.unit), options, progress)?;
-                let residuals = adapted.outcomes.iter().map(|outcome| outcome.residual());
-                let evidence = Evidence {
-                    residual: residuals.fold(0.0, f64::max),
-                    error_estimate: adapted.error_estimate,
-                    unknowns: adapted.system.discretisation.unknowns(),
-                    stop: adapted.stop,
-                };
+                let evidence = evidence_of(&adapted);
                 let unit = adapted.system.discretisation.boundary.unit;
                 (Solutions::Polygons(adapted), unit, evidence)
             }
@@ -113,6 +134,7 @@ impl Solved {
         match &self.solutions {
             Solutions::Polygons(adapted) => &adapted.outcomes[k].constants,
             Solutions::Smooth(adapted) => &adapted.outcomes[k].constants,
+            Solutions::Curved(adapted, _) => &adapted.outcomes[k].constants,
         }
     }
 
@@ -123,6 +145,7 @@ impl Solved {
         let problems = match &self.solutions {
             Solutions::Polygons(adapted) => &adapted.problems,
             Solutions::Smooth(adapted) => &adapted.problems,
+            Solutions::Curved(adapted, _) => &adapted.problems,
         };
         let used = problems.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
         let source = used.fold(Source::Nothing, |sum, (problem, weight)| sum.and(problem.source, *weight));
@@ -145,6 +168,12 @@ impl Solved {
                 let bounded = self.domain.is_bounded();
                 let field = SmoothField::new(&adapted.system, bounded, source, charges, &masses, constants);
                 super::field::Kind::Smooth(field)
+            }
+            Solutions::Curved(adapted, inner_points) => {
+                let masses = sum(&|k| adapted.outcomes[k].masses.clone());
+                let problem = Problem { source, charges: sum(&|k| adapted.problems[k].charges.clone()) };
+                let discretisation = &adapted.system.discretisation;
+                super::field::Kind::Curved(CurvedField::new(discretisation, problem, &masses, constants, inner_points))
             }
         };
         let Scale { origin, unit } = self.scale;

@@ -2,6 +2,7 @@
 
 mod annulus;
 mod circles;
+mod edges;
 mod estimate;
 mod evaluation;
 mod exterior;

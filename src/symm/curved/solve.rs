@@ -1,15 +1,15 @@
 //! Symm's equation on a boundary of analytic edges, solved to a tolerance.
 
-use super::curved_boundary::{CurvedBoundary, ROUND_DIGITS};
-use super::curved_discretisation::CurvedDiscretisation;
-use super::curved_solution::CurvedSolution;
-use super::options::{Progress, SolveOptions};
-use super::order::Order;
-use super::panel::Panel;
-use super::problem::{Problem, Source};
-use super::rule::Rules;
-use super::solve::{Adapted, Effort, adapt};
-use super::system::System;
+use super::super::options::{Progress, SolveOptions};
+use super::super::order::Order;
+use super::super::panel::Panel;
+use super::super::problem::{Problem, Source};
+use super::super::rule::Rules;
+use super::super::solve::{Adapted, Effort, adapt};
+use super::super::system::System;
+use super::boundary::{CurvedBoundary, ROUND_DIGITS};
+use super::discretisation::CurvedDiscretisation;
+use super::solution::CurvedSolution;
 use crate::plane::{Complex64, CurvedOutline};
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -32,16 +32,63 @@ pub fn solve_curved(
     progress: Progress,
 ) -> Result<CurvedSolution> {
     let options = within_limits(options)?;
-    let digits = (ROUND_DIGITS - options.tolerance.log10()).min(MOST_DIGITS);
+    let digits = digits_for(&options);
     let boundary = Arc::new(CurvedBoundary::new(outline, digits));
-    if let Some(edge) = boundary.halted() {
-        let reason = format!("edge {edge} stands still at an end: all but one of its control points are one there");
-        return Err(Error::InvalidOutline { reason });
-    }
+    check(&boundary)?;
     let center = center * boundary.unit;
-    let panels = boundary.initial_panels(center);
+    let panels = boundary.initial_panels(&[center]);
     let rules = Rules::new(Order::new(degree_for(&options, panels.len())?, digits));
     solve_on(&boundary, panels, rules, center, &options, progress)
+}
+
+/// Solves problems, stated for a unit (plane units × unit = units used), on the same panels, refining until the estimate meets the
+/// tolerance for each. `bounded` tells whether the first outline is around the region; the others are around holes.
+///
+/// # Errors
+/// As [`solve_curved`]; [`Error::Cusp`] for corners of angle 0 or 2π.
+pub fn solve_curved_problems(
+    outlines: &[&CurvedOutline],
+    bounded: bool,
+    problems: &dyn Fn(f64) -> Vec<Problem>,
+    options: &SolveOptions,
+    progress: Progress,
+) -> Result<Adapted<CurvedDiscretisation>> {
+    let options = within_limits(options)?;
+    for (k, outline) in outlines.iter().enumerate() {
+        check_tips(outline).map_err(|error| match k.checked_sub(usize::from(bounded)) {
+            Some(hole) => Error::InHole { hole, error: Box::new(error) },
+            None => error,
+        })?;
+    }
+    let digits = digits_for(&options);
+    let boundary = Arc::new(CurvedBoundary::of(outlines, bounded, digits));
+    check(&boundary)?;
+    let problems = problems(boundary.unit);
+    let singular: Vec<Complex64> = problems.iter().flat_map(|problem| problem.source.singularities()).collect();
+    let panels = boundary.initial_panels(&singular);
+    let mut rules = Rules::new(Order::new(degree_for(&options, panels.len())?, digits));
+    let discretisation = CurvedDiscretisation::seeing(&boundary, panels, &mut rules, progress)?;
+    let system = Arc::new(System::new(discretisation, progress)?);
+    adapt(system, rules, problems, None, (&options, Effort::Whole), progress)
+}
+
+/// Corners of angle 0 are solved for without holes alone.
+fn check_tips(outline: &CurvedOutline) -> Result<()> {
+    match (0..outline.edges().len()).find(|&edge| outline.alpha(edge) == 0.0) {
+        Some(edge) => Err(Error::Cusp { edge, at: outline.edges()[edge].from() }),
+        None => Ok(()),
+    }
+}
+
+fn check(boundary: &CurvedBoundary) -> Result<()> {
+    let Some(edge) = boundary.halted() else { return Ok(()) };
+    let reason = format!("edge {edge} stands still at an end: all but one of its control points are one there");
+    Err(Error::InvalidOutline { reason })
+}
+
+/// Digits of quadrature.
+fn digits_for(options: &SolveOptions) -> f64 {
+    (ROUND_DIGITS - options.tolerance.log10()).min(MOST_DIGITS)
 }
 
 /// The same boundary for another `center` (plane units), refining the panels where they are too coarse for it.
@@ -56,7 +103,7 @@ pub fn solve_curved_again(
     progress: Progress,
 ) -> Result<CurvedSolution> {
     let options = within_limits(options)?;
-    let discretisation = previous.discretisation();
+    let discretisation = &previous.discretisation;
     let center = center * discretisation.boundary.unit;
     let panels: Vec<Panel> = discretisation.panels.iter().map(|curved| curved.panel).collect();
     let rules = Rules::new(discretisation.order.clone());

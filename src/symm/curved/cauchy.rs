@@ -3,7 +3,7 @@
 //! A panel acts through 16 nodes where the target is far from it, through its halves where not. Halves are made when first asked
 //! for, and kept.
 
-use super::legendre::GaussRule;
+use super::super::legendre::GaussRule;
 use crate::plane::Complex64;
 use std::sync::{Arc, OnceLock};
 
@@ -124,6 +124,23 @@ const BEYOND_CORNER: f64 = 1.5;
 #[must_use]
 pub fn parts(solution: &dyn Sampled, panels: usize) -> Vec<Arc<CauchyPart>> {
     (0..panels).map(|q| Arc::new(CauchyPart::new(solution, gauss(), q, 0.0, 1.0))).collect()
+}
+
+/// The parts in halves, so small that what is singular at some points off the boundary is smooth on them.
+#[must_use]
+pub fn resolved(solution: &dyn Sampled, parts: Vec<Arc<CauchyPart>>, points: &[Complex64]) -> Vec<Arc<CauchyPart>> {
+    let (mut open, mut done) = (parts, Vec::new());
+    open.reverse();
+    while let Some(part) = open.pop() {
+        let Circle { middle, reach, .. } = part.circles[Side::Region as usize];
+        let is_smooth = points.iter().all(|point| (point - middle).norm() >= reach);
+        if is_smooth || part.to - part.from <= SHORTEST {
+            done.push(part);
+        } else {
+            open.extend(part.halves(solution).iter().rev().cloned());
+        }
+    }
+    done
 }
 
 /// The rule of all parts.

@@ -1,8 +1,9 @@
 //! A boundary of analytic edges cut into panels: each runs from a corner over the parameter of its edge.
 
-use super::panel::{Panel, halved, halved_where};
-use super::problem::Target;
+use super::super::panel::{Panel, halved, halved_where};
+use super::super::problem::Target;
 use crate::plane::{Complex64, CurvedOutline, Edge, Polygon};
+use std::ops::Range;
 
 /// Half an edge, seen from the corner where it starts.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +24,7 @@ pub struct Arm {
     pub slow: bool,
 }
 
-/// The scaled boundary. Arm 2k is the first half of edge k, arm 2k + 1 the second.
+/// The scaled boundary, the region to the left. Arm 2k is the first half of edge k, arm 2k + 1 the second.
 #[derive(Clone, Debug)]
 pub struct CurvedBoundary {
     /// Where edges start, × `unit`.
@@ -32,10 +33,30 @@ pub struct CurvedBoundary {
     pub arms: Vec<Arm>,
     /// Power of two: plane units × `unit` = units used here.
     pub unit: f64,
+    /// Its components.
+    pub loops: Vec<Loop>,
+    /// Whether the first of them is around the region.
+    pub bounded: bool,
+}
+
+/// A closed chain of edges.
+#[derive(Clone, Debug)]
+pub struct Loop {
+    /// Its edges, and where they start.
+    pub edges: Range<usize>,
+    /// Whether it is around a hole: its edges are those of the outline backwards.
+    is_hole: bool,
     /// Whether the outline is one closed edge, whose halves are two here: no arm ends where it starts.
     halves: bool,
-    /// Chords of the boundary, to see what is behind a panel; none if they cross.
+    /// Its chords, to see what is behind a panel; none if they cross.
     chords: Option<Polygon>,
+}
+
+impl Loop {
+    /// Number of edges of the outline.
+    fn outline_edges(&self) -> usize {
+        if self.halves { 1 } else { self.edges.len() }
+    }
 }
 
 /// |z''/z'| times half a panel's parameter range is at most this: its curve is nearly straight, and no other point of the edge's
@@ -43,6 +64,8 @@ pub struct CurvedBoundary {
 pub const TAME: f64 = 0.5;
 /// Neighbours are at most so many times as long.
 const BALANCE: f64 = 2.5;
+/// Panels shorter than this may be nearer to another component than they are long, until residuals say otherwise.
+const LEAST_CROWDED: f64 = 1e-3;
 /// Chords of an edge.
 const CHORDS: usize = 16;
 /// Singular powers of the corner variable that are not whole are at least this for each digit of the map (measured: more crowds the nodes,
@@ -57,18 +80,37 @@ impl CurvedBoundary {
     /// Scales an outline to size about 1, for quadrature of so many digits.
     #[must_use]
     pub fn new(outline: &CurvedOutline, digits: f64) -> Self {
+        Self::of(&[outline], true, digits)
+    }
+
+    /// The same of several outlines, `bounded` telling whether the first is around the region and not around a hole.
+    #[must_use]
+    pub fn of(outlines: &[&CurvedOutline], bounded: bool, digits: f64) -> Self {
         let smooth_power = (POWER_PER_DIGIT * (digits - ROUND_DIGITS)).clamp(POWERS[0], POWERS[1]);
-        let unit = (-outline.size().log2().round()).exp2();
-        let mut edges: Vec<Edge> = outline.edges().iter().map(|edge| edge.scaled(unit.into())).collect();
+        let size = if bounded { outlines[0].size() } else { size_of(outlines) };
+        let unit = (-size.log2().round()).exp2();
+        let mut boundary = Self { vertices: Vec::new(), arms: Vec::new(), unit, loops: Vec::new(), bounded };
+        for (k, outline) in outlines.iter().enumerate() {
+            boundary.add(outline, !bounded || k > 0, smooth_power);
+        }
+        boundary
+    }
+
+    fn add(&mut self, outline: &CurvedOutline, is_hole: bool, smooth_power: f64) {
+        let mut edges: Vec<Edge> = outline.edges().iter().map(|edge| edge.scaled(self.unit.into())).collect();
         let mut alpha: Vec<f64> = (0..edges.len()).map(|corner| outline.alpha(corner)).collect();
+        if is_hole {
+            edges = edges.iter().rev().map(Edge::reversed).collect();
+            alpha[1..].reverse();
+            alpha.iter_mut().for_each(|alpha| *alpha = 2.0 - *alpha);
+        }
         let halves = edges.len() == 1;
         if halves {
             edges = edges[0].split(0.5).to_vec();
             alpha.push(1.0);
         }
-        let n = edges.len();
-        let vertices: Vec<Complex64> = edges.iter().map(Edge::from).collect();
-        let mut arms = Vec::with_capacity(2 * n);
+        let (n, start) = (edges.len(), self.vertices.len());
+        self.vertices.extend(edges.iter().map(Edge::from));
         let is_straight = |k: usize| matches!(edges[k], Edge::Line { .. });
         for (k, edge) in edges.iter().enumerate() {
             for (corner, outgoing) in [(k, true), ((k + 1) % n, false)] {
@@ -78,7 +120,8 @@ impl CurvedBoundary {
                 // There the parameter is about the square root of the distance.
                 let alpha = if slow { 0.5 * alpha[corner] } else { alpha[corner] };
                 let exponent = exponent(alpha, straight, smooth_power);
-                arms.push(Arm { curve, corner, edge: k, outgoing, exponent, power: alpha.recip(), slow });
+                let (corner, edge) = (start + corner, start + k);
+                self.arms.push(Arm { curve, corner, edge, outgoing, exponent, power: alpha.recip(), slow });
             }
         }
         let chord = |edge: &Edge| {
@@ -86,35 +129,40 @@ impl CurvedBoundary {
             (0..CHORDS).map(move |j| edge.point(j as f64 / CHORDS as f64))
         };
         let chords = Polygon::new(&edges.iter().flat_map(chord).collect::<Vec<_>>()).ok();
-        Self { vertices, arms, unit, chords, halves }
+        // A polygon is counter-clockwise unless it is told otherwise.
+        let chords = if is_hole { chords.map(|chords| chords.clockwise()) } else { chords };
+        self.loops.push(Loop { edges: start..start + n, is_hole, halves, chords });
     }
 
-    /// Edge and parameter of the outline → of the edges here.
+    /// The loop that an edge belongs to.
     #[must_use]
-    pub fn inner(&self, edge: usize, t: f64) -> (usize, f64) {
-        match (self.halves, t < 0.5) {
+    pub fn loop_of(&self, edge: usize) -> usize {
+        self.loops.partition_point(|own| own.edges.end <= edge)
+    }
+
+    /// Edge and parameter of the outline of a component → of the edges here.
+    #[must_use]
+    pub fn inner(&self, component: usize, edge: usize, t: f64) -> (usize, f64) {
+        let own = &self.loops[component];
+        let (edge, t) = if own.is_hole { (own.outline_edges() - 1 - edge, 1.0 - t) } else { (edge, t) };
+        let (edge, t) = match (own.halves, t < 0.5) {
             (false, _) => (edge, t),
             (true, true) => (0, 2.0 * t),
             (true, false) => (1, 2.0 * t - 1.0),
-        }
+        };
+        (own.edges.start + edge, t)
     }
 
-    /// The inverse of [`CurvedBoundary::inner`].
+    /// The inverse of [`CurvedBoundary::inner`] for an outer boundary.
     #[must_use]
     pub fn outer(&self, edge: usize, t: f64) -> (usize, f64) {
-        if self.halves { (0, 0.5 * (t + edge as f64)) } else { (edge, t) }
+        if self.loops[0].halves { (0, 0.5 * (t + edge as f64)) } else { (edge, t) }
     }
 
-    /// Number of edges of the outline.
+    /// Number of edges of the first outline.
     #[must_use]
     pub fn outline_edges(&self) -> usize {
-        if self.halves { 1 } else { self.len() }
-    }
-
-    /// Number of edges.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.vertices.len()
+        self.loops[0].outline_edges()
     }
 
     /// An edge that stands still so long where it starts or ends that no square root tells its parameter.
@@ -122,7 +170,8 @@ impl CurvedBoundary {
     pub fn halted(&self) -> Option<usize> {
         let stands =
             |arm: &&Arm| arm.slow && arm.curve.bend(Complex64::ZERO).norm() <= arm.curve.bend(1.0.into()).norm() * 1e-9;
-        self.arms.iter().find(stands).map(|arm| if self.halves { 0 } else { arm.edge })
+        let arm = self.arms.iter().find(stands)?;
+        Some(if self.loops[self.loop_of(arm.edge)].halves { 0 } else { arm.edge })
     }
 
     /// Whether a panel lies where the parameter stands still.
@@ -178,12 +227,16 @@ impl CurvedBoundary {
 
     /// Distance of a point (scaled units) from a panel, by samples.
     fn distance(&self, panel: &Panel, z: Complex64) -> f64 {
+        self.samples(panel).map(|sample| (z - sample).norm()).into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    fn samples(&self, panel: &Panel) -> [Complex64; 5] {
         let arm = self.arm(panel);
         let at = |share: f64| {
             let s = panel.start + share * panel.length();
-            (z - self.vertices[arm.corner] - arm.curve.from_start(s.into())).norm()
+            self.vertices[arm.corner] + arm.curve.from_start(s.into())
         };
-        [0.0, 0.25, 0.5, 0.75, 1.0].map(at).into_iter().fold(f64::INFINITY, f64::min)
+        [0.0, 0.25, 0.5, 0.75, 1.0].map(at)
     }
 
     /// Distance from the middle of a panel to the boundary behind it, outside the region, if that is at most `reach`.
@@ -194,8 +247,10 @@ impl CurvedBoundary {
         let middle = self.vertices[arm.corner] + arm.curve.from_start(s);
         let tangent = arm.curve.tangent(s);
         let along = if panel.outgoing { tangent } else { -tangent } / tangent.norm();
-        let (chord, distance) = self.chords.as_ref()?.facing(middle, -Complex64::i() * along, reach)?;
-        let edge = chord / CHORDS;
+        // Only its own component comes back there.
+        let own = &self.loops[self.loop_of(panel.edge)];
+        let (chord, distance) = own.chords.as_ref()?.facing(middle, -Complex64::i() * along, reach)?;
+        let edge = own.edges.start + chord / CHORDS;
         (edge != panel.edge).then_some((edge, distance))
     }
 
@@ -208,15 +263,26 @@ impl CurvedBoundary {
         Panel { edge: arm.edge, corner: arm.corner, direction, outgoing: arm.outgoing, start, end, exponent }
     }
 
-    /// The first panels in boundary order: tame, balanced, and no longer than their distance from the center.
+    /// The first panels in boundary order: tame, balanced, and no longer than their distance from what is singular in the region.
     #[must_use]
-    pub fn initial_panels(&self, center: Complex64) -> Vec<Panel> {
-        let mut panels = Vec::new();
-        for arm in &self.arms {
-            panels.push(self.panel(arm, 0.0, 0.5));
+    pub fn initial_panels(&self, singular: &[Complex64]) -> Vec<Panel> {
+        let panels = self.arms.iter().map(|arm| self.panel(arm, 0.0, 0.5)).collect();
+        let wild = |panel: &Panel| !self.is_slow(panel) && self.bend(panel) > TAME || self.is_crowded(panel);
+        let panels = halved_where(panels, &wild);
+        match singular {
+            [] => self.balanced(panels),
+            centers => centers.iter().fold(panels, |panels, center| self.facing(panels, *center)),
         }
-        let wild = |panel: &Panel| !self.is_slow(panel) && self.bend(panel) > TAME;
-        self.facing(halved_where(panels, &wild), center)
+    }
+
+    /// Whether a panel is long beside its distance from another component.
+    fn is_crowded(&self, panel: &Panel) -> bool {
+        let (own, length) = (self.loop_of(panel.edge), self.length(panel));
+        let others = self.loops.iter().enumerate().filter(|(k, _)| *k != own);
+        let mut chords = others.filter_map(|(_, other)| other.chords.as_ref());
+        let is_near =
+            |chords: &Polygon| self.samples(panel).iter().any(|z| chords.nearest_within(*z, length).is_some());
+        length > LEAST_CROWDED && chords.any(is_near)
     }
 
     /// Halves panels until none is longer than its distance from the center, or much longer than its neighbour.
@@ -229,16 +295,37 @@ impl CurvedBoundary {
     #[must_use]
     pub fn balanced(&self, mut panels: Vec<Panel>) -> Vec<Panel> {
         loop {
-            let n = panels.len();
             let lengths: Vec<f64> = panels.iter().map(|panel| self.length(panel)).collect();
-            let long = |q: usize| lengths[q] > BALANCE * lengths[(q + 1) % n].min(lengths[(q + n - 1) % n]);
-            let marked: Vec<bool> = (0..n).map(|q| long(q) && panels[q].can_be_halved()).collect();
+            let mut marked = vec![false; panels.len()];
+            for own in self.components(&panels) {
+                let (n, first) = (own.len(), own.start);
+                let length = |q: usize| lengths[first + q % n];
+                for q in 0..n {
+                    let is_long = length(q) > BALANCE * length(q + 1).min(length(q + n - 1));
+                    marked[first + q] = is_long && panels[first + q].can_be_halved();
+                }
+            }
             if !marked.contains(&true) {
                 return panels;
             }
             panels = halved(&panels, &marked);
         }
     }
+
+    /// Of panels in boundary order, those of each component.
+    #[must_use]
+    pub fn components(&self, panels: &[Panel]) -> Vec<Range<usize>> {
+        let first = |edge: usize| panels.partition_point(|panel| panel.edge < edge);
+        self.loops.iter().map(|own| first(own.edges.start)..first(own.edges.end)).collect()
+    }
+}
+
+/// The larger side of the box around all.
+fn size_of(outlines: &[&CurvedOutline]) -> f64 {
+    let corners = outlines.iter().map(|outline| outline.bounds());
+    let least = |a: Complex64, b: Complex64| Complex64::new(a.re.min(b.re), a.im.min(b.im));
+    let around = corners.reduce(|(low, high), (l, h)| (least(low, l), -least(-high, -h)));
+    around.map_or(1.0, |(low, high)| (high.re - low.re).max(high.im - low.im))
 }
 
 /// The exponent a of the corner variable s = τ^a at an interior angle απ.

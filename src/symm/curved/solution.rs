@@ -1,22 +1,20 @@
 //! A solved boundary of analytic edges: θ along it, and the map region → disk inside.
 
-use super::curved_cauchy::{self, CauchyPart, Evaluated, Sample, Sampled};
-use super::curved_discretisation::CurvedDiscretisation;
-use super::curved_kernel::CurvedPanel;
-use super::legendre::{MAX_NODES, complex_integral, complex_sum, legendre};
-use super::log_moments::bernstein;
-use super::options::{Progress, Stop};
-use super::panel::Panel;
-use super::system::System;
+use super::super::options::{Progress, Stop};
+use super::super::system::System;
+use super::cauchy::{self, CauchyPart, Evaluated, Sample, Sampled};
+use super::discretisation::CurvedDiscretisation;
+use super::measure::{Beside, CurvedMeasure};
 use crate::plane::Complex64;
 use crate::{Error, Result};
 use std::f64::consts::TAU;
+use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
 /// A solved equation, with its evidence.
 #[derive(Clone, Debug)]
 pub struct CurvedSolution {
-    pub(super) discretisation: Arc<CurvedDiscretisation>,
+    measure: CurvedMeasure,
     /// Ready for another center; of a stored solution, assembled when first asked for.
     system: OnceLock<Arc<System<CurvedDiscretisation>>>,
     /// In scaled units.
@@ -25,34 +23,14 @@ pub struct CurvedSolution {
     pub masses: Vec<f64>,
     /// What quadratures need of them, panel by panel.
     charges: Vec<Vec<f64>>,
-    /// Legendre coefficients of dμ/dτ on [0, 1], p a panel.
-    coefficients: Vec<f64>,
-    /// Measure from vertex 0 to where each panel begins, and the whole.
-    pub(super) starts: Vec<f64>,
     /// For Cauchy's formula; made when first asked for.
     parts: OnceLock<Vec<Arc<CauchyPart>>>,
-    smallest_mass: (f64, usize),
     /// Largest violation of the equation where it was not imposed.
     pub residual: f64,
     /// Estimate of the largest error of the map.
     pub error_estimate: f64,
     /// Why the solve ended.
     pub stop: Stop,
-}
-
-/// A point beside a panel, or on it.
-#[derive(Clone, Copy, Debug)]
-struct Beside {
-    q: usize,
-    /// Complex parameter of the arm.
-    s: Complex64,
-    tau: Complex64,
-    /// Distance from the nearest point of the panel.
-    distance: f64,
-    /// Whether it lies on the side of the panel where the region is not.
-    outside: bool,
-    /// Whether the nearest point is an end of the panel.
-    at_end: bool,
 }
 
 /// Cauchy's formula at a point: the value, its derivative, and what the formula gives for 1.
@@ -67,12 +45,14 @@ const WORST_ESTIMATE: f64 = 1.0;
 const WHOLE: f64 = 1e-12;
 /// or to this share of the estimate.
 const WHOLE_SHARE: f64 = 0.01;
-/// A panel's density goes on so far beyond it: Bernstein's ρ.
-const CONTINUED: f64 = 1.1;
-/// As far beside a corner, in parameters, its derivative is told.
-const BESIDE: f64 = 1e-14;
-/// Points as near to the curve as this are on it, in units of the region's size.
-const THICKNESS: f64 = 4e-15;
+
+impl Deref for CurvedSolution {
+    type Target = CurvedMeasure;
+
+    fn deref(&self) -> &CurvedMeasure {
+        &self.measure
+    }
+}
 
 impl CurvedSolution {
     /// From node masses.
@@ -85,38 +65,14 @@ impl CurvedSolution {
         error_estimate: f64,
         stop: Stop,
     ) -> Self {
+        // Where the measure is below rounding its sign is noise: angles must not run backwards there.
         let total: f64 = masses.iter().sum();
-        let p = discretisation.order.p();
-        let gauss = &discretisation.order.panel;
-        let (mut coefficients, mut starts, mut charges) = (Vec::with_capacity(masses.len()), vec![0.0], Vec::new());
-        let mut smallest_mass = (f64::INFINITY, 0);
-        for (q, own) in masses.chunks_exact(p).enumerate() {
-            let own: Vec<f64> = own.iter().map(|mass| mass / total).collect();
-            let density: Vec<f64> = own.iter().zip(&gauss.weights).map(|(mass, w)| 2.0 * mass / w).collect();
-            for k in 0..p {
-                coefficients.push(gauss.coefficient_row(k).iter().zip(&density).map(|(t, g)| t * g).sum());
-            }
-            let mass: f64 = own.iter().sum();
-            if mass < smallest_mass.0 || mass.is_nan() {
-                smallest_mass = (mass, q);
-            }
-            starts.push(starts[q] + mass.max(0.0));
-            charges.push(discretisation.rules[q].charges(&own));
-        }
-        Self {
-            discretisation,
-            system: OnceLock::new(),
-            center,
-            masses,
-            charges,
-            coefficients,
-            starts,
-            parts: OnceLock::new(),
-            smallest_mass,
-            residual,
-            error_estimate,
-            stop,
-        }
+        let measure = CurvedMeasure::new(discretisation, &masses, total, &|mass| mass.max(0.0));
+        let panels = measure.discretisation.rules.iter().zip(masses.chunks_exact(measure.discretisation.order.p()));
+        let charges = panels.map(|(rule, own)| rule.charges(&own.iter().map(|mass| mass / total).collect::<Vec<_>>()));
+        let charges = charges.collect();
+        let (system, parts) = (OnceLock::new(), OnceLock::new());
+        Self { measure, system, center, masses, charges, parts, residual, error_estimate, stop }
     }
 
     /// With the system that gave it.
@@ -136,7 +92,7 @@ impl CurvedSolution {
     /// The panels in Cauchy's formula.
     #[must_use]
     pub fn parts(&self) -> &[Arc<CauchyPart>] {
-        self.parts.get_or_init(|| curved_cauchy::parts(self, self.discretisation.panels.len()))
+        self.parts.get_or_init(|| cauchy::parts(self, self.discretisation.panels.len()))
     }
 
     /// The solution, unless its masses show that it is none.
@@ -144,7 +100,7 @@ impl CurvedSolution {
     /// # Errors
     /// [`Error::NegativeMass`], [`Error::Inaccurate`].
     pub fn checked(self) -> Result<Self> {
-        let (mass, q) = self.smallest_mass;
+        let (mass, q) = self.smallest_mass();
         if mass < -self.error_estimate || !(mass + self.residual).is_finite() {
             let edge = self.panel(q).edge;
             return Err(Error::NegativeMass { mass, estimate: self.error_estimate, edge });
@@ -153,12 +109,6 @@ impl CurvedSolution {
             return Err(Error::Inaccurate { estimate: self.error_estimate });
         }
         Ok(self)
-    }
-
-    /// The panels it lives on.
-    #[must_use]
-    pub fn discretisation(&self) -> &CurvedDiscretisation {
-        &self.discretisation
     }
 
     /// Whether the measure attracts points around the region as all of it at the center would, which is false for another region
@@ -179,10 +129,6 @@ impl CurvedSolution {
     #[must_use]
     pub fn unit(&self) -> f64 {
         self.discretisation.boundary.unit
-    }
-
-    pub(super) fn panel(&self, q: usize) -> &Panel {
-        &self.discretisation.panels[q].panel
     }
 
     /// A boundary point (scaled units) whose neighbourhood is crowded together most, if an error in the disk is more than twenty
@@ -214,41 +160,20 @@ impl CurvedSolution {
             .collect()
     }
 
-    /// The panels of half an edge.
-    fn panels_of(&self, edge: usize, outgoing: bool) -> std::ops::Range<usize> {
-        let key = |curved: &CurvedPanel| (curved.panel.edge, !curved.panel.outgoing);
-        let panels = &self.discretisation.panels;
-        let first = panels.partition_point(|panel| key(panel) < (edge, !outgoing));
-        first..panels.partition_point(|panel| key(panel) <= (edge, !outgoing))
-    }
-
     /// Measure from vertex 0 to a boundary point, given by its edge and parameter.
     #[must_use]
     pub fn measure_at(&self, edge: usize, t: f64) -> f64 {
-        let (q, s) = self.place(edge, t);
+        let (q, s) = self.place(0, edge, t);
         self.complex_measure(q, self.panel(q).tau_at(s).into()).re
     }
 
     /// The image of a boundary point, and f' there (scaled units).
     #[must_use]
     pub fn on_circle(&self, edge: usize, t: f64) -> (Complex64, Complex64) {
-        let (q, s) = self.place(edge, t);
-        let panel = self.panel(q);
-        // At a corner itself the derivative is 0, infinite or none: it is told a little beside it.
-        let beside = s.max(BESIDE);
-        let w = Complex64::cis(TAU * self.complex_measure(q, panel.tau_at(s).into()).re);
-        let slope = self.measure_slope(q, beside.into(), panel.tau_at(beside).into());
+        let (q, s) = self.place(0, edge, t);
+        let (measure, slope) = self.measure.at(q, s);
+        let w = Complex64::cis(TAU * measure);
         (w, w * Complex64::i() * TAU * slope)
-    }
-
-    /// Edge of the outline and its parameter → panel, and parameter of its arm.
-    fn place(&self, edge: usize, t: f64) -> (usize, f64) {
-        let (edge, t) = self.discretisation.boundary.inner(edge, t);
-        let outgoing = t < 0.5;
-        let s = if outgoing { t } else { 1.0 - t };
-        let panels = self.panels_of(edge, outgoing);
-        let here = panels.clone().find(|&q| (self.panel(q).start..=self.panel(q).end).contains(&s));
-        (here.unwrap_or(panels.start), s)
     }
 
     /// Measure from vertex 0 → the edge and the parameter where that is reached.
@@ -293,26 +218,6 @@ impl CurvedSolution {
         tau
     }
 
-    /// Measure from vertex 0, continued to complex τ of panel `q`: 2π times it is −i log f beside the boundary.
-    pub(super) fn complex_measure(&self, q: usize, tau: Complex64) -> Complex64 {
-        let p = self.discretisation.order.p();
-        let coefficients = &self.coefficients[q * p..][..p];
-        let sum = complex_integral(coefficients, 2.0 * tau - 1.0);
-        if self.panel(q).outgoing { self.starts[q] + 0.5 * sum } else { self.starts[q + 1] - 0.5 * sum }
-    }
-
-    /// dμ/dτ, continued.
-    pub(super) fn complex_density(&self, q: usize, tau: Complex64) -> Complex64 {
-        let p = self.discretisation.order.p();
-        let coefficients = &self.coefficients[q * p..][..p];
-        if tau.im == 0.0 {
-            let mut values = [0.0; MAX_NODES];
-            legendre(2.0 * tau.re - 1.0, &mut values[..p]);
-            return values.iter().zip(coefficients).map(|(v, c)| v * c).sum::<f64>().into();
-        }
-        complex_sum(coefficients, 2.0 * tau - 1.0)
-    }
-
     /// (∫ log(z − y) dμ, ∫ dμ/(z − y), turns of the boundary around z) at a point off the boundary (scaled units); the
     /// argument is continuous along the boundary and principal at vertex 0.
     fn potential(&self, z: Complex64) -> (Complex64, Complex64, f64) {
@@ -342,7 +247,7 @@ impl CurvedSolution {
     /// Region → disk with vertex 0 ↦ 1, and the derivative, both in scaled units; `None` outside the closed region.
     #[must_use]
     pub fn to_disk(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
-        self.to_disk_by(z, &|z| curved_cauchy::to_disk(self, self.parts(), z))
+        self.to_disk_by(z, &|z| cauchy::to_disk(self, self.parts(), z))
     }
 
     /// The same with Cauchy's formula as `cauchy` sums it up.
@@ -355,7 +260,7 @@ impl CurvedSolution {
             if beside.outside && !beside.at_end {
                 return None;
             }
-            if !beside.outside && bernstein(2.0 * beside.tau - 1.0) < CONTINUED {
+            if beside.is_continued() {
                 return Some(self.continued(&beside));
             }
         }
@@ -385,75 +290,16 @@ impl CurvedSolution {
         let f = (Complex64::i() * TAU * self.complex_measure(q, tau)).exp();
         (f, f * Complex64::i() * TAU * self.measure_slope(q, s, tau))
     }
-
-    /// Derivative of the complex measure by z.
-    pub(super) fn measure_slope(&self, q: usize, s: Complex64, tau: Complex64) -> Complex64 {
-        let panel = self.panel(q);
-        let by_s = if panel.exponent == 1.0 {
-            Complex64::from(1.0 / panel.length())
-        } else {
-            tau / (panel.exponent * (s - panel.start))
-        };
-        let along = self.complex_density(q, tau) * by_s * if panel.outgoing { 1.0 } else { -1.0 };
-        along / self.discretisation.boundary.arm(panel).curve.tangent(s)
-    }
-
-    /// The panel that is nearest to `z`, if its curve's parameter there is found.
-    fn beside(&self, z: Complex64) -> Option<Beside> {
-        let boundary = &self.discretisation.boundary;
-        let mut best: Option<Beside> = None;
-        for (q, curved) in self.discretisation.panels.iter().enumerate() {
-            let panel = &curved.panel;
-            let step = z - boundary.vertices[panel.corner];
-            if curved.distance_from_middle(step) > 2.0 {
-                continue;
-            }
-            let Some(s) = curved.parameter_of(step) else { continue };
-            let foot = s.re.clamp(panel.start, panel.end);
-            let at_end = foot != s.re;
-            let curve = &boundary.arm(panel).curve;
-            let distance = ((s - foot) * curve.chord(foot.into(), s)).norm();
-            let thick = distance <= THICKNESS;
-            let s = if thick { Complex64::from(foot) } else { s };
-            let outside = !thick && (s.im < 0.0) == panel.outgoing && s.im != 0.0;
-            let share = curved.share(s);
-            let tau = if panel.exponent == 1.0 { share } else { share.powf(1.0 / panel.exponent) };
-            let beside = Beside { q, s, tau, distance, outside, at_end };
-            // At a corner both arms are as near: the one that has the point on the region's side serves.
-            let better = best.is_none_or(|best| {
-                distance < best.distance * (1.0 - 1e-9)
-                    || distance <= best.distance * (1.0 + 1e-9) && best.outside && !outside
-            });
-            if better {
-                best = Some(beside);
-            }
-        }
-        best
-    }
 }
 
 impl Sampled for CurvedSolution {
     fn sample(&self, q: usize, tau: f64, dtau: f64) -> Sample {
-        let panel = self.panel(q);
-        let arm = self.discretisation.boundary.arm(panel);
-        let s = panel.distance_at(tau);
-        let ds = panel.exponent * tau.powf(panel.exponent - 1.0) * panel.length() * dtau;
-        let along = if panel.outgoing { ds } else { -ds };
+        let (_, z, dz) = self.step(q, tau, dtau);
         let w = Complex64::cis(TAU * self.complex_measure(q, tau.into()).re);
-        Sample {
-            z: self.discretisation.boundary.vertices[panel.corner] + arm.curve.from_start(s.into()),
-            w,
-            dz: arm.curve.tangent(s.into()) * along / Complex64::new(0.0, TAU),
-            dw: w * self.complex_density(q, tau.into()).re * dtau,
-        }
+        Sample { z, w, dz, dw: w * self.complex_density(q, tau.into()).re * dtau }
     }
 
     fn exponents(&self, q: usize) -> (f64, f64) {
-        let panel = self.panel(q);
-        let arm = self.discretisation.boundary.arm(panel);
-        let slow = if self.discretisation.boundary.is_slow(panel) { 2.0 } else { 1.0 };
-        let power = if panel.start == 0.0 { panel.exponent * arm.power } else { 1.0 };
-        let exponent = panel.exponent * slow;
-        (exponent, power)
+        self.measure.exponents(q)
     }
 }

@@ -1,13 +1,13 @@
 //! Solutions on curved edges as bytes: panels and masses; everything else follows from the region.
 
-use super::curved_boundary::CurvedBoundary;
-use super::curved_discretisation::CurvedDiscretisation;
-use super::curved_solution::CurvedSolution;
-use super::legendre::MAX_NODES;
-use super::order::Order;
-use super::panel::Panel;
-use super::rule::Rules;
-use super::stored::{DIGITS, damaged, restore_error, restore_stop, store_stop};
+use super::super::legendre::MAX_NODES;
+use super::super::order::Order;
+use super::super::panel::Panel;
+use super::super::rule::Rules;
+use super::super::stored::{DIGITS, damaged, restore_error, restore_stop, store_stop};
+use super::boundary::CurvedBoundary;
+use super::discretisation::CurvedDiscretisation;
+use super::solution::CurvedSolution;
 use crate::Result;
 use crate::plane::{Complex64, CurvedOutline};
 use crate::stored::{Reader, Writer};
@@ -19,7 +19,7 @@ impl CurvedSolution {
         store_stop(self.stop, to);
         to.number(self.residual);
         to.number(self.error_estimate);
-        let discretisation = self.discretisation();
+        let discretisation = &self.discretisation;
         to.case(discretisation.order.p() as u8);
         to.number(discretisation.order.digits);
         for arm in

@@ -1,9 +1,9 @@
 //! The way back from the disk of a solved boundary of curved edges: beside the circle the complex measure is inverted, within
 //! Cauchy's formula gives the place; where that is lost, the way there is followed from the center outwards.
 
-use super::curved_cauchy;
-use super::curved_solution::{Cauchy, CurvedSolution, Map};
-use super::log_moments::bernstein;
+use super::super::log_moments::bernstein;
+use super::cauchy;
+use super::solution::{Cauchy, CurvedSolution, Map};
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
 
@@ -25,7 +25,7 @@ impl CurvedSolution {
     /// Disk (vertex 0 ↦ 1) → region, and the derivative of the way there, in scaled units; `None` where it is not found.
     #[must_use]
     pub fn from_disk(&self, w: Complex64) -> Option<(Complex64, Complex64)> {
-        self.from_disk_by(w, &|w| curved_cauchy::from_disk(self, self.parts(), w), &|z| self.to_disk(z))
+        self.from_disk_by(w, &|w| cauchy::from_disk(self, self.parts(), w), &|z| self.to_disk(z))
     }
 
     /// The same with Cauchy's formula as `cauchy` sums it up, and the way there by `map`.

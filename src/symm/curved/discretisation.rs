@@ -1,15 +1,16 @@
 //! Symm's equation on curved panels: unknowns, places, matrix rows.
 
-use super::curved_boundary::CurvedBoundary;
-use super::curved_kernel::CurvedPanel;
-use super::options::Progress;
-use super::order::Order;
-use super::panel::{Panel, halved};
-use super::panelled::Panelled;
-use super::problem::{Source, Target};
-use super::refinement::{Refinable, Refinement};
-use super::rule::{PanelRule, Rules};
-use super::thin_walls::ThinWalls;
+use super::super::options::Progress;
+use super::super::order::Order;
+use super::super::panel::{Panel, halved};
+use super::super::panelled::Panelled;
+use super::super::problem::{Source, Target};
+use super::super::refinement::{Refinable, Refinement};
+use super::super::rule::{PanelRule, Rules};
+use super::super::thin_walls::ThinWalls;
+use super::arguments::Arguments;
+use super::boundary::CurvedBoundary;
+use super::kernel::CurvedPanel;
 use crate::plane::Complex64;
 use crate::{Error, Result};
 use std::ops::Range;
@@ -27,8 +28,8 @@ pub struct CurvedDiscretisation {
     /// Degrees and distances.
     pub order: Order,
     walls: ThinWalls,
-    /// The panels of the one component.
-    component: Range<usize>,
+    /// The panels of each component.
+    components: Vec<Range<usize>>,
 }
 
 /// Times that panels are halved because targets near them do not find their parameter.
@@ -40,6 +41,7 @@ impl CurvedDiscretisation {
     /// Puts rules to panels.
     #[must_use]
     pub fn new(boundary: Arc<CurvedBoundary>, panels: &[Panel], rules: &mut Rules) -> Self {
+        let components = boundary.components(panels);
         let panel_rules: Vec<_> = panels.iter().map(|panel| rules.of(panel)).collect();
         let order = rules.order.clone();
         let walls = ThinWalls::of(panels.iter().map(|panel| {
@@ -48,8 +50,7 @@ impl CurvedDiscretisation {
         }));
         let place = |(panel, rule): (&Panel, &Arc<PanelRule>)| CurvedPanel::new(&boundary, panel, rule, &order);
         let panels: Vec<CurvedPanel> = panels.iter().zip(&panel_rules).map(place).collect();
-        let component = 0..panels.len();
-        Self { boundary, panels, rules: panel_rules, order, walls, component }
+        Self { boundary, panels, rules: panel_rules, order, walls, components }
     }
 
     /// The same, panels being halved until all nodes and checks that lie near one find their parameter there.
@@ -111,11 +112,11 @@ impl Panelled for CurvedDiscretisation {
     }
 
     fn components(&self) -> &[Range<usize>] {
-        std::slice::from_ref(&self.component)
+        &self.components
     }
 
     fn is_bounded(&self) -> bool {
-        true
+        self.boundary.bounded
     }
 
     fn walls(&self) -> &ThinWalls {
@@ -148,6 +149,13 @@ impl Panelled for CurvedDiscretisation {
     }
 
     fn values(&self, source: &Source, targets: &[Target]) -> Vec<f64> {
+        if let Source::Vortices(a, b) = *source {
+            let [a, b] = [a, b].map(|z| Arguments::new(self, z));
+            return targets
+                .iter()
+                .map(|target| b.at(self, target.panel, target.s) - a.at(self, target.panel, target.s))
+                .collect();
+        }
         targets.iter().map(|target| source.value_at(self.vertex(target.panel), target.offset)).collect()
     }
 

@@ -3,14 +3,14 @@
 //! With t₀ the complex parameter of the target, log(z₀ − z(t)) = log(t₀ − t) + log((z₀ − z(t))/(t₀ − t)): the first has exact
 //! moments, the second is smooth near the panel and left to Gauss's rule.
 
-use super::curved_boundary::CurvedBoundary;
-use super::fast_log;
-use super::legendre::MAX_NODES;
-use super::log_moments::log_moments_with_slopes;
-use super::order::Order;
-use super::panel::Panel;
-use super::rows::add_scaled;
-use super::rule::{PanelRule, Part, Rows, exact_logs};
+use super::super::fast_log;
+use super::super::legendre::MAX_NODES;
+use super::super::log_moments::log_moments_with_slopes;
+use super::super::order::Order;
+use super::super::panel::Panel;
+use super::super::rows::add_scaled;
+use super::super::rule::{PanelRule, Part, Rows, exact_logs};
+use super::boundary::CurvedBoundary;
 use crate::plane::{Complex64, Edge};
 
 /// A panel with its rule and its curve, and where its nodes lie.
