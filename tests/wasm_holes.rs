@@ -60,6 +60,35 @@ fn a_region_knows_its_holes() {
 }
 
 #[wasm_bindgen_test]
+fn holes_may_be_paths_and_edges() {
+    let outer = "M2 0 A2 2 0 0 1 -2 0 A2 2 0 0 1 2 0 Z";
+    let inner = "M1 0 A1 1 0 0 1 -1 0 A1 1 0 0 1 1 0 Z";
+    let arc = "{ arc: { center: [0, 0], radii: [1, 1], start: 0, sweep: 2 * Math.PI } }";
+    let given = [
+        format!("path: '{outer} {inner}'"),
+        format!("path: '{outer}', holes: ['{inner}']"),
+        format!("path: '{outer}', holes: [[{arc}]]"),
+    ];
+    for fields in given {
+        let ring = region(&fields).unwrap();
+        assert_eq!(ring.contains(&[1.0, 0.0, 0.9, 0.1, 1.5, 1.0, 2.1, 0.0]).unwrap(), [1, 0, 1, 0]);
+        assert_eq!(region(&format!("path: '{}'", ring.path().unwrap())).unwrap().path(), ring.path());
+        let map = AnnulusMap::solve(&ring, fine()).unwrap();
+        assert!((map.inner_radius() - 0.5).abs() < 1e-12, "{fields}: {}", map.inner_radius());
+    }
+    let mixed = region(&format!("path: '{outer}', holes: [new Float64Array([0, 0, 1, 0, 0, 1])]")).unwrap();
+    assert!(AnnulusMap::solve(&mixed, fine()).unwrap().error_estimate() < 1e-11);
+    let outside = exterior(&format!("holes: ['{inner}']"));
+    assert_eq!(outside.contains(&[2.0, 0.0, 0.5, 0.0]).unwrap(), [1, 0]);
+    assert_eq!(
+        code(&region(&format!("path: '{outer}', holes: ['{inner}'], curve: 'smooth'")).unwrap_err()),
+        "invalid-option"
+    );
+    assert_eq!(code(&region(&format!("path: '{outer}', holes: ['M5 5 L6 5 L6 6 Z']")).unwrap_err()), "hole-outside");
+    assert_eq!(code(&region(&format!("path: '{outer}', holes: ['M5']")).unwrap_err()), "invalid-outline");
+}
+
+#[wasm_bindgen_test]
 fn a_frame_goes_to_a_ring_and_back() {
     let map = AnnulusMap::solve(&region(FRAME).unwrap(), fine()).unwrap();
     assert!((map.inner_radius() - 0.541_210_760_957_991).abs() < 1e-12, "{}", map.inner_radius());

@@ -154,6 +154,7 @@ impl Contour {
     }
 
     /// The point behind a share of an edge, or behind that of its parameter.
+    #[inline(never)]
     pub fn point(&self, place: BoundaryPoint) -> Complex64 {
         match &self.shape {
             Shape::Smooth(curve) => curve.point(curve.parameter(place)),
@@ -166,6 +167,7 @@ impl Contour {
     }
 
     /// The angle by which the boundary turns to the left where an edge starts; `None` if it is a smooth curve.
+    #[inline(never)]
     pub fn turn(&self, edge: usize) -> Option<f64> {
         if self.smooth().is_some() {
             return None;
@@ -179,6 +181,7 @@ impl Contour {
     }
 
     /// As a chain of edges; `None` if it is a smooth curve.
+    #[inline(never)]
     pub fn as_edges(&self) -> Option<Result<Arc<CurvedOutline>>> {
         match &self.shape {
             Shape::Smooth(_) => None,

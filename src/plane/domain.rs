@@ -40,7 +40,7 @@ impl Domain {
     /// # Errors
     /// Those of [`Region::new`] for the boundary, and in [`Error::InHole`] for holes; [`Error::HolesMeet`] and [`Error::HoleOutside`].
     pub fn new(boundary: &[Complex64], holes: &[Vec<Complex64>], curve: Curve) -> Result<Self> {
-        Self::of(Some(Contour::new(boundary, curve)?), holes, &|points| Contour::new(points, curve))
+        Self::of(Some(Contour::new(boundary, curve)?), holes.iter().map(|points| Contour::new(points, curve)).collect())
     }
 
     /// The same of closed chains of edges, lines and curves as they were drawn.
@@ -59,7 +59,8 @@ impl Domain {
     /// Those of [`Region::from_edges`] for the boundary, and in [`Error::InHole`] for holes; [`Error::HolesMeet`] and
     /// [`Error::HoleOutside`].
     pub fn from_edges(boundary: &[Edge], holes: &[Vec<Edge>]) -> Result<Self> {
-        Ok(Self::of(Some(Contour::from_edges(boundary)?), holes, &|edges| Contour::from_edges(edges))?.straightened())
+        let holes = holes.iter().map(|edges| Contour::from_edges(edges)).collect();
+        Ok(Self::of(Some(Contour::from_edges(boundary)?), holes)?.straightened())
     }
 
     /// What lies outside every one of some bodies.
@@ -67,7 +68,7 @@ impl Domain {
     /// # Errors
     /// As [`Domain::new`]; [`Error::WrongRegion`] without a body.
     pub fn exterior(bodies: &[Vec<Complex64>], curve: Curve) -> Result<Self> {
-        Self::of(None, bodies, &|points| Contour::new(points, curve))
+        Self::of(None, bodies.iter().map(|points| Contour::new(points, curve)).collect())
     }
 
     /// The same of closed chains of edges.
@@ -75,19 +76,20 @@ impl Domain {
     /// # Errors
     /// As [`Domain::from_edges`]; [`Error::WrongRegion`] without a body.
     pub fn exterior_of_edges(bodies: &[Vec<Edge>]) -> Result<Self> {
-        Ok(Self::of(None, bodies, &|edges| Contour::from_edges(edges))?.straightened())
+        let bodies = bodies.iter().map(|edges| Contour::from_edges(edges)).collect();
+        Ok(Self::of(None, bodies)?.straightened())
     }
 
-    fn of<T>(outer: Option<Contour>, holes: &[Vec<T>], contour: &dyn Fn(&[T]) -> Result<Contour>) -> Result<Self> {
+    fn of(outer: Option<Contour>, holes: Vec<Result<Contour>>) -> Result<Self> {
         let bounded = outer.is_some();
         if !bounded && holes.is_empty() {
             let found = "none".to_string();
             return Err(Error::WrongRegion { what: "The outside of bodies", needed: "at least one body", found });
         }
         let mut contours: Vec<Contour> = outer.into_iter().collect();
-        for (hole, points) in holes.iter().enumerate() {
+        for (hole, contour) in holes.into_iter().enumerate() {
             let named = |error| Error::InHole { hole, error: Box::new(error) };
-            contours.push(contour(points).map_err(named)?);
+            contours.push(contour.map_err(named)?);
         }
         let domain = Self { contours, bounded, center: None, toward: None };
         domain.check()?;
@@ -104,6 +106,7 @@ impl Domain {
     }
 
     /// Holes must not meet anything, and lie where holes can be.
+    #[inline(never)]
     fn check(&self) -> Result<()> {
         let hole = |component: usize| if self.bounded { component.checked_sub(1) } else { Some(component) };
         for second in 0..self.contours.len() {

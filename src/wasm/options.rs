@@ -284,21 +284,6 @@ pub fn some_value<'de, D: Deserializer<'de>>(from: D) -> Result<Option<JsValue>,
     Ok((!value.is_undefined() && !value.is_null()).then_some(value))
 }
 
-/// For `#[serde(deserialize_with)]`: an array of `Float64Array`s, copied.
-///
-/// # Errors
-/// The deserialiser's, for anything else.
-pub fn number_arrays<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Vec<f64>>, D::Error> {
-    let value: JsValue = serde_wasm_bindgen::preserve::deserialize(from)?;
-    let expected = || D::Error::custom("expected an array of Float64Arrays");
-    if value.is_undefined() {
-        return Ok(Vec::new());
-    }
-    let items = value.dyn_into::<Array>().map_err(|_| expected())?;
-    let numbers = |item: JsValue| item.dyn_into::<Float64Array>().map(|array| array.to_vec()).map_err(|_| expected());
-    items.iter().map(numbers).collect()
-}
-
 /// For `#[serde(default, deserialize_with)]`: an object of a JavaScript class, passed through; none for undefined.
 ///
 /// # Errors

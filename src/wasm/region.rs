@@ -5,11 +5,11 @@ use super::options::{self, Point};
 use super::points;
 use crate::Error;
 use crate::plane::{self, Complex64, Curve, Domain, Edge, EllipticArc, NOWHERE};
-use js_sys::{Array, Reflect};
+use js_sys::{Array, Float64Array, Reflect};
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
-use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsCast, JsValue};
 
 /// What makes a region.
 #[derive(Debug, Deserialize, Tsify)]
@@ -23,7 +23,8 @@ pub struct RegionOptions {
     #[tsify(optional)]
     pub curve: Option<Curve>,
     /// The boundary as one closed curve in the language of SVG's paths, every command kept exactly; but in plane coordinates, y
-    /// up, so that arcs with the sweep flag run counter-clockwise.
+    /// up, so that arcs with the sweep flag run counter-clockwise. Of several curves the largest is the outline, and those in it are
+    /// holes.
     #[tsify(optional)]
     pub path: Option<String>,
     /// The boundary as a closed chain of edges, each of which starts where the last one ends, in either orientation.
@@ -38,10 +39,10 @@ pub struct RegionOptions {
     /// Indices of the points of `through` that are corners; none by default.
     #[tsify(optional)]
     pub corners: Option<Vec<usize>>,
-    /// The boundary points of each hole, in either orientation. With `boundary` alone.
-    #[serde(default, deserialize_with = "options::number_arrays")]
-    #[tsify(optional, type = "Float64Array[]")]
-    pub holes: Vec<Vec<f64>>,
+    /// Each hole, in either orientation: its boundary points, joined as those of `boundary`, or a path, or edges.
+    #[serde(default, deserialize_with = "options::some_value")]
+    #[tsify(optional, type = "HoleOptions[]")]
+    pub holes: Option<JsValue>,
     /// The point strictly inside that the Riemann map takes to 0. A region with holes needs none, unless its map does.
     #[tsify(optional)]
     pub center: Option<Point>,
@@ -54,14 +55,13 @@ pub struct RegionOptions {
 /// What makes the outside of bodies.
 #[derive(Debug, Deserialize, Tsify)]
 pub struct ExteriorOptions {
-    /// The boundary points of each body `[x0, y0, x1, y1, …]`, in either orientation.
-    #[serde(deserialize_with = "options::number_arrays")]
-    #[tsify(type = "Float64Array[]")]
-    pub holes: Vec<Vec<f64>>,
+    /// Each body, in either orientation: its boundary points `[x0, y0, x1, y1, …]`, a path as `new Region({ path })` takes it, or edges.
+    #[serde(deserialize_with = "options::some_value")]
+    #[tsify(type = "HoleOptions[]")]
+    pub holes: Option<JsValue>,
     /// How the boundary points are joined; "polygon" by default.
-    #[serde(default)]
     #[tsify(optional)]
-    pub curve: Curve,
+    pub curve: Option<Curve>,
     /// A point that maps take to 0.
     #[tsify(optional)]
     pub center: Option<Point>,
@@ -81,6 +81,9 @@ export interface EdgeOptions {
     /** A quadratic Bézier curve by its three control points, or a cubic one by four. */
     bezier?: Point[];
 }
+
+/** A hole or a body: boundary points `[x0, y0, x1, y1, …]`, a path in plane coordinates, y up, or edges. */
+export type HoleOptions = Float64Array | string | EdgeOptions[];
 
 /** Part of a circle or an ellipse: center + turned by `rotation` (r₀ cos φ, r₁ sin φ), φ from `start` to `start` + `sweep`. */
 export interface ArcOptions {
@@ -152,7 +155,9 @@ impl Region {
         let given = |point: Option<Point>, name: &str| {
             point.ok_or_else(|| Failure::option(name, &format!("The option \"{name}\" is missing.")))
         };
-        if holes.is_empty() {
+        let mut holes = outlines(holes)?;
+        let has_several = |path: &String| path.matches(['M', 'm']).count() > 1;
+        if holes.is_empty() && !path.as_ref().is_some_and(has_several) {
             // What is missing is said before what is wrong.
             given(center, "center")?;
             given(toward, "toward")?;
@@ -162,7 +167,11 @@ impl Region {
         }
         let drawn = match (boundary, path, edges, through) {
             (Some(boundary), None, None, None) => Drawn::Points(points::from_flat("The boundary", &boundary)?),
-            (None, Some(path), None, None) => Drawn::Edges(plane::parse_path(&path)?),
+            (None, Some(path), None, None) => {
+                let plane::Shape { outline, holes: inner } = plane::parse_path_with_holes(&path)?;
+                holes.splice(..0, inner.into_iter().map(Drawn::Edges));
+                Drawn::Edges(outline)
+            }
             (None, None, Some(edges), None) => Drawn::Edges(edges_of(&edges)?),
             (None, None, None, Some(through)) => {
                 let points = points::from_flat("The points", &through)?;
@@ -185,9 +194,8 @@ impl Region {
                 }
             })));
         }
-        let Drawn::Points(boundary) = drawn else { return Err(not_with_edges("holes")) };
-        let domain = Domain::new(&boundary, &outlines(&holes)?, curve.unwrap_or_default())?;
-        Ok(Self(Kind::Domain(directed(domain, center, toward)?)))
+        holes.insert(0, drawn);
+        Ok(Self(Kind::Domain(directed(domain_of(holes, true, curve)?, center, toward)?)))
     }
 
     /// The unbounded region outside one or more bodies.
@@ -195,7 +203,7 @@ impl Region {
     /// Throws as `new Region()`.
     pub fn exterior(options: Ts<ExteriorOptions>) -> Result<Self, Failure> {
         let ExteriorOptions { holes, curve, center, toward } = options::read(&options)?;
-        Ok(Self(Kind::Domain(directed(Domain::exterior(&outlines(&holes)?, curve)?, center, toward)?)))
+        Ok(Self(Kind::Domain(directed(domain_of(outlines(holes)?, false, curve)?, center, toward)?)))
     }
 
     /// Text → boundary points `[x0, y0, x1, y1, …]`: JSON, `[[x, y], …]`, the data of an SVG path (the attribute `d`), or an SVG file that
@@ -231,13 +239,16 @@ impl Region {
         }
     }
 
-    /// The edges of a boundary that was given by `path` or `edges`, as a path in plane coordinates, y up, counter-clockwise;
-    /// undefined for others.
+    /// The edges of a boundary that was given by `path` or `edges`, as a path in plane coordinates, y up, counter-clockwise, and behind
+    /// it those of the holes; undefined for others.
     #[wasm_bindgen(getter)]
     pub fn path(&self) -> Option<String> {
         match &self.0 {
             Kind::Simple(region) => region.curved().map(|outline| plane::path_data(outline.edges())),
-            Kind::Domain(_) => None,
+            Kind::Domain(domain) => {
+                let data = |contour: &plane::Contour| Some(plane::path_data(contour.curved()?.edges()));
+                domain.contours().iter().map(data).collect()
+            }
         }
     }
 
@@ -247,7 +258,7 @@ impl Region {
         match &self.0 {
             Kind::Simple(_) => Array::new(),
             Kind::Domain(domain) => {
-                domain.holes().iter().map(|hole| js_sys::Float64Array::from(&points::to_flat(hole)[..])).collect()
+                domain.holes().iter().map(|hole| Float64Array::from(&points::to_flat(hole)[..])).collect()
             }
         }
     }
@@ -370,9 +381,42 @@ fn point_of(value: &JsValue) -> Complex64 {
 /// The outlines of holes.
 ///
 /// # Errors
-/// [`Error::WrongLength`] for an odd count of numbers.
-pub fn outlines(holes: &[Vec<f64>]) -> Result<Vec<Vec<Complex64>>, Error> {
-    holes.iter().map(|hole| points::from_flat("A hole", hole)).collect()
+/// [`Error::WrongLength`] for an odd count of numbers; "invalid-option" for what is no outline, and what is wrong with a path.
+fn outlines(holes: Option<JsValue>) -> Result<Vec<Drawn>, Failure> {
+    let outline = |hole: JsValue| {
+        if let Some(path) = hole.as_string() {
+            return Ok(Drawn::Edges(plane::parse_path(&path)?));
+        }
+        match hole.dyn_ref::<Float64Array>() {
+            Some(array) => Ok(Drawn::Points(points::from_flat("A hole", &array.to_vec())?)),
+            None if Array::is_array(&hole) => Ok(Drawn::Edges(edges_of(&hole)?)),
+            None => Err(Failure::option("holes", "A hole is a Float64Array, a path or an array of edges.")),
+        }
+    };
+    holes.map_or_else(Array::new, |holes| Array::from(&holes)).iter().map(outline).collect()
+}
+
+/// The region that outlines bound, `bounded` telling whether the first is around it.
+///
+/// # Errors
+/// Those of [`Domain::new`] and [`Domain::from_edges`]; "invalid-option" for a `curve` beside edges.
+fn domain_of(outlines: Vec<Drawn>, bounded: bool, curve: Option<Curve>) -> Result<Domain, Failure> {
+    let points = |outline: &Drawn| if let Drawn::Points(points) = outline { Some(points.clone()) } else { None };
+    if let Some(all) = outlines.iter().map(points).collect::<Option<Vec<_>>>() {
+        let curve = curve.unwrap_or_default();
+        return Ok(if bounded { Domain::new(&all[0], &all[1..], curve)? } else { Domain::exterior(&all, curve)? });
+    }
+    if curve.is_some() {
+        return Err(not_with_edges("curve"));
+    }
+    let edges = |outline| match outline {
+        Drawn::Edges(edges) => edges,
+        Drawn::Points(points) => {
+            (0..points.len()).map(|k| Edge::line(points[k], points[(k + 1) % points.len()])).collect()
+        }
+    };
+    let all: Vec<Vec<Edge>> = outlines.into_iter().map(edges).collect();
+    Ok(if bounded { Domain::from_edges(&all[0], &all[1..])? } else { Domain::exterior_of_edges(&all)? })
 }
 
 /// The domain with the points that give maps their place and direction.

@@ -115,12 +115,21 @@ test("a curve goes through points, with the corners that are marked", () => {
   assert.ok(Math.abs(circle.conformalRadius - 1) < 1e-6);
 });
 
+test("letters with counters are regions", () => {
+  const { path, holes } = Region.parseShape("M0 0 H2 V-2 H0 Z M0.5 -0.5 H1 A0.5 0.5 0 0 0 1 -1.5 H0.5 Z");
+  const letter = new Region({ path, holes });
+  const { innerRadius, errorEstimate } = AnnulusMap.solve(letter, { tolerance: 1e-8 });
+  assert.ok(innerRadius > 0.3 && innerRadius < 0.8 && errorEstimate <= 1e-8);
+  const same = AnnulusMap.solve(new Region({ path: letter.path ?? "" }), { tolerance: 1e-8 });
+  assert.ok(Math.abs(same.innerRadius - innerRadius) < 2e-8);
+});
+
 test("what curves cannot be is refused in words", () => {
   const region = new Region({ path: halfDisk, ...above });
   const hole = new Float64Array([-0.1, 0.4, 0.1, 0.4, 0, 0.6]);
   /** @type {[code: string, words: RegExp, call: () => unknown][]} */
   const refused = [
-    ["invalid-option", /"holes" goes with "boundary" alone/, () => new Region({ path: halfDisk, holes: [hole], ...above })],
+    ["invalid-option", /"curve" goes with "boundary" alone/, () => new Region({ path: halfDisk, holes: [hole], curve: "polygon", ...above })],
     ["invalid-option", /"curve" goes with "boundary" alone/, () => new Region({ path: halfDisk, curve: "smooth", ...above })],
     ["invalid-option", /one of the options "boundary", "path", "edges" and "through"/, () => new Region(above)],
     ["invalid-option", /"corners" goes with "through" alone/, () => new Region({ path: halfDisk, corners: [0], ...above })],

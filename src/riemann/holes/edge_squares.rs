@@ -38,10 +38,16 @@ impl EdgeSquares {
         self.tree.fill(&self.field, progress)
     }
 
+    // Once in the module: what follows weighs more.
+    #[inline(never)]
+    fn leaf(&self, z: Complex64) -> Option<&Leaf> {
+        self.tree.find(z, &self.field)
+    }
+
     /// What is known of a point.
     #[must_use]
     pub fn at(&self, z: Complex64) -> Inside {
-        match self.tree.find(z, &self.field) {
+        match self.leaf(z) {
             None => Inside::Beyond,
             Some(Leaf::Near(_)) => Inside::Unknown,
             Some(Leaf::Outside) => Inside::Outside,
@@ -55,7 +61,7 @@ impl EdgeSquares {
     /// (B, B') at a point of the region beside a wall.
     #[must_use]
     pub fn beside(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
-        let Some(Leaf::Near(sums)) = self.tree.find(z, &self.field) else { return None };
+        let Some(Leaf::Near(sums)) = self.leaf(z) else { return None };
         Some(self.field.at_by(z, &|z| self.tree.near(sums, z, &self.field)))
     }
 }

@@ -17,6 +17,7 @@ const STEPS: usize = 8;
 impl Arguments {
     /// Follows the boundary.
     #[must_use]
+    #[inline(never)]
     pub fn new(discretisation: &dyn Panelled, z: Complex64) -> Self {
         let mut known = Vec::with_capacity(discretisation.panel_count());
         for panels in discretisation.components() {
@@ -39,6 +40,7 @@ impl Arguments {
 
     /// At the parameter s of the arm of panel `q`.
     #[must_use]
+    #[inline(never)]
     pub fn at(&self, discretisation: &dyn Panelled, q: usize, s: f64) -> f64 {
         let panel = discretisation.panel(q);
         let place = ((s - panel.start) / panel.length() * STEPS as f64).round().clamp(0.0, STEPS as f64) as usize;
@@ -48,6 +50,7 @@ impl Arguments {
     }
 }
 
+#[inline(never)]
 fn step(discretisation: &dyn Panelled, q: usize, place: usize) -> Complex64 {
     let panel = discretisation.panel(q);
     let s = panel.start + panel.length() * (place as f64 / STEPS as f64);

@@ -96,6 +96,7 @@ impl CurvedBoundary {
         boundary
     }
 
+    #[inline(never)]
     fn add(&mut self, outline: &CurvedOutline, is_hole: bool, smooth_power: f64) {
         let mut edges: Vec<Edge> = outline.edges().iter().map(|edge| edge.scaled(self.unit.into())).collect();
         let mut alpha: Vec<f64> = (0..edges.len()).map(|corner| outline.alpha(corner)).collect();
@@ -136,6 +137,7 @@ impl CurvedBoundary {
 
     /// The loop that an edge belongs to.
     #[must_use]
+    #[inline(never)]
     pub fn loop_of(&self, edge: usize) -> usize {
         self.loops.partition_point(|own| own.edges.end <= edge)
     }
@@ -230,6 +232,7 @@ impl CurvedBoundary {
         self.samples(panel).map(|sample| (z - sample).norm()).into_iter().fold(f64::INFINITY, f64::min)
     }
 
+    #[inline(never)]
     fn samples(&self, panel: &Panel) -> [Complex64; 5] {
         let arm = self.arm(panel);
         let at = |share: f64| {
@@ -287,12 +290,14 @@ impl CurvedBoundary {
 
     /// Halves panels until none is longer than its distance from the center, or much longer than its neighbour.
     #[must_use]
+    #[inline(never)]
     pub fn facing(&self, panels: Vec<Panel>, center: Complex64) -> Vec<Panel> {
         self.balanced(halved_where(panels, &|panel| self.length(panel) > self.distance(panel, center)))
     }
 
     /// Halves panels until none is much longer than its neighbour.
     #[must_use]
+    #[inline(never)]
     pub fn balanced(&self, mut panels: Vec<Panel>) -> Vec<Panel> {
         loop {
             let lengths: Vec<f64> = panels.iter().map(|panel| self.length(panel)).collect();
@@ -314,6 +319,7 @@ impl CurvedBoundary {
 
     /// Of panels in boundary order, those of each component.
     #[must_use]
+    #[inline(never)]
     pub fn components(&self, panels: &[Panel]) -> Vec<Range<usize>> {
         let first = |edge: usize| panels.partition_point(|panel| panel.edge < edge);
         self.loops.iter().map(|own| first(own.edges.start)..first(own.edges.end)).collect()

@@ -79,6 +79,7 @@ impl CurvedField {
     }
 
     /// Parts on which H is resolved.
+    #[inline(never)]
     fn new_parts(&self) -> Vec<Arc<CauchyPart>> {
         let parts = cauchy::parts(self, self.measure.discretisation.panels.len());
         let points: Vec<Complex64> = self.logs.iter().map(|(p, ..)| *p).collect();
@@ -103,6 +104,7 @@ impl CurvedField {
     }
 
     /// B at τ of panel `q`, continuous along its component.
+    #[inline(never)]
     fn on_panel(&self, q: usize, tau: Complex64) -> Complex64 {
         let boundary = &self.measure.discretisation.boundary;
         let component = boundary.loop_of(self.measure.panel(q).edge);
@@ -111,6 +113,7 @@ impl CurvedField {
     }
 
     /// What takes B as [`CurvedField::on_panel`] has it, near the parameter s of panel `q`'s arm, to B with principal logarithms.
+    #[inline(never)]
     fn turns(&self, q: usize, s: f64, z: Complex64) -> Complex64 {
         let discretisation = self.measure.discretisation.as_ref();
         let foot = discretisation.point(q, s);
@@ -147,6 +150,7 @@ impl CurvedField {
 
     /// The same with Cauchy's formula as `cauchy` sums it up.
     #[must_use]
+    #[inline(never)]
     pub fn at_by(&self, z: Complex64, cauchy: Cauchy) -> (Complex64, Complex64) {
         let beside = self.measure.beside(z);
         if let Some(beside) = beside.filter(|beside| beside.is_continued()) {
@@ -161,6 +165,7 @@ impl CurvedField {
 
     /// (H, H') → (B, B').
     #[must_use]
+    #[inline(never)]
     pub fn of_single_valued(&self, z: Complex64, (value, slope): (Complex64, Complex64)) -> (Complex64, Complex64) {
         let (mut value, mut slope) = (value, slope);
         for (p, charge) in self.charged_holes() {

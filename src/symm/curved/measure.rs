@@ -56,6 +56,7 @@ const THICKNESS: f64 = 4e-15;
 impl CurvedMeasure {
     /// From node masses over a `total`; `grows` says by how much a panel of some mass makes the measure grow.
     #[must_use]
+    #[inline(never)]
     pub fn new(
         discretisation: Arc<CurvedDiscretisation>,
         masses: &[f64],
@@ -95,6 +96,7 @@ impl CurvedMeasure {
 
     /// The panels of half an edge.
     #[must_use]
+    #[inline(never)]
     pub fn panels_of(&self, edge: usize, outgoing: bool) -> std::ops::Range<usize> {
         let key = |curved: &CurvedPanel| (curved.panel.edge, !curved.panel.outgoing);
         let panels = &self.discretisation.panels;
@@ -104,6 +106,7 @@ impl CurvedMeasure {
 
     /// Edge of the outline of a component and its parameter → panel, and parameter of its arm.
     #[must_use]
+    #[inline(never)]
     pub fn place(&self, component: usize, edge: usize, t: f64) -> (usize, f64) {
         let (edge, t) = self.discretisation.boundary.inner(component, edge, t);
         let outgoing = t < 0.5;
@@ -115,6 +118,7 @@ impl CurvedMeasure {
 
     /// Measure from vertex 0, continued to complex τ of panel `q`: 2π times it is −i log f beside the boundary.
     #[must_use]
+    #[inline(never)]
     pub fn complex_measure(&self, q: usize, tau: Complex64) -> Complex64 {
         let coefficients = self.coefficients(q);
         let sum = complex_integral(coefficients, 2.0 * tau - 1.0);
@@ -123,6 +127,7 @@ impl CurvedMeasure {
 
     /// dμ/dτ, continued.
     #[must_use]
+    #[inline(never)]
     pub fn complex_density(&self, q: usize, tau: Complex64) -> Complex64 {
         let coefficients = self.coefficients(q);
         if tau.im == 0.0 {
@@ -142,6 +147,7 @@ impl CurvedMeasure {
 
     /// Derivative of the complex measure by z.
     #[must_use]
+    #[inline(never)]
     pub fn measure_slope(&self, q: usize, s: Complex64, tau: Complex64) -> Complex64 {
         let panel = self.panel(q);
         let by_s = if panel.exponent == 1.0 {
@@ -155,6 +161,7 @@ impl CurvedMeasure {
 
     /// The panel that is nearest to `z`, if its curve's parameter there is found.
     #[must_use]
+    #[inline(never)]
     pub fn beside(&self, z: Complex64) -> Option<Beside> {
         let boundary = &self.discretisation.boundary;
         let mut best: Option<Beside> = None;
@@ -190,6 +197,7 @@ impl CurvedMeasure {
     /// [`CurvedMeasure::complex_measure`] at the parameter s of the arm of panel `q`, and its derivative by z; at a corner itself that
     /// is 0, infinite or none: it is told a little beside it.
     #[must_use]
+    #[inline(never)]
     pub fn at(&self, q: usize, s: f64) -> (f64, Complex64) {
         let (panel, beside) = (self.panel(q), s.max(BESIDE));
         let measure = self.complex_measure(q, panel.tau_at(s).into()).re;
@@ -198,6 +206,7 @@ impl CurvedMeasure {
 
     /// The parameter of the arm at τ of panel `q`, the point there, and dz/2πi for a step along the boundary.
     #[must_use]
+    #[inline(never)]
     pub fn step(&self, q: usize, tau: f64, dtau: f64) -> (f64, Complex64, Complex64) {
         let panel = self.panel(q);
         let boundary = &self.discretisation.boundary;
@@ -211,6 +220,7 @@ impl CurvedMeasure {
 
     /// The powers of τ that z and an analytic function with real boundary values begin with on panel `q`.
     #[must_use]
+    #[inline(never)]
     pub fn exponents(&self, q: usize) -> (f64, f64) {
         let panel = self.panel(q);
         let arm = self.discretisation.boundary.arm(panel);
