@@ -3,7 +3,7 @@
 use super::coons_patch::{CoonsPatch, log2};
 use super::node::{Node, Pair, Scale};
 use super::options::{WarpOptions, Wrap};
-use super::refine::{LARGEST, Sight, Square};
+use super::refine::{LARGEST, SMALLEST, Sight, Square};
 use super::render::{Footprints, TexelGrid, each_strip};
 use super::strip::{self, Strip};
 use super::texture::Texture;
@@ -47,7 +47,7 @@ impl<M: PlaneMap + ?Sized> Footprints for PullBack<'_, M> {
         for (square, patch) in &blocks.smooth {
             self.draw_patch(strip, patch, square);
         }
-        let Sides { mut inside, mut edge } = self.sides(&pixels_of(&blocks.ragged, strip));
+        let Sides { mut inside, mut edge } = self.sides(&blocks.ragged, strip);
         inside.extend(pixels_of(&blocks.rough, strip));
         edge.extend(self.draw_pixels(strip, &inside));
         self.draw_edge_pixels(strip, &edge);
@@ -84,20 +84,21 @@ impl<M: PlaneMap + ?Sized> PullBack<'_, M> {
         })
     }
 
-    /// Sorts pixels by their corners. Of those without a corner inside, what is thinner than they are may still show something.
-    fn sides(&self, pixels: &[(usize, usize)]) -> Sides {
-        let corners = pixels.iter().flat_map(|&(x, y)| [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)]);
-        // Neighbours have them in common.
-        let mut lattice: Vec<(usize, usize)> = corners.clone().collect();
-        lattice.sort_unstable();
-        lattice.dedup();
-        let nodes = self.sight.nodes(&lattice.iter().map(|&(x, y)| (x as f64, y as f64)).collect::<Vec<_>>());
-        let is_defined = |corner| lattice.binary_search(&corner).is_ok_and(|k| nodes[k].is_defined());
-        let corners: Vec<bool> = corners.map(is_defined).collect();
+    /// Sorts the pixels of squares by their corners. Of those without a corner inside, what is thinner than they are may still
+    /// show something.
+    fn sides(&self, squares: &[Square], strip: &Strip) -> Sides {
+        const CORNERS: usize = SMALLEST + 1;
+        let corner = |square: &Square, k: usize| ((square.x + k % CORNERS) as f64, (square.y + k / CORNERS) as f64);
+        let lattice = squares.iter().flat_map(|square| (0..CORNERS * CORNERS).map(move |k| corner(square, k)));
+        let nodes = self.sight.nodes(&lattice.collect::<Vec<_>>());
         let mut sides = Sides { inside: Vec::new(), edge: Vec::new() };
-        for (pixel, corners) in pixels.iter().zip(corners.chunks_exact(4)) {
-            let is_inside = corners.iter().all(|defined| *defined);
-            if is_inside { &mut sides.inside } else { &mut sides.edge }.push(*pixel);
+        for (square, nodes) in squares.iter().zip(nodes.chunks_exact(CORNERS * CORNERS)) {
+            for (column, row) in pixels_of(std::slice::from_ref(square), strip) {
+                let first = CORNERS * (row - square.y) + column - square.x;
+                let corners = [first, first + 1, first + CORNERS, first + CORNERS + 1];
+                let is_inside = corners.iter().all(|k| nodes[*k].is_defined());
+                if is_inside { &mut sides.inside } else { &mut sides.edge }.push((column, row));
+            }
         }
         sides
     }

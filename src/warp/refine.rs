@@ -42,7 +42,7 @@ pub(super) struct Blocks {
     pub smooth: Vec<(Square, CoonsPatch)>,
     /// Squares whose pixels are to be evaluated one by one.
     pub rough: Vec<Square>,
-    /// Such squares that reach over the edge of the domain.
+    /// Such squares, all of the smallest size, that reach over the edge of the domain.
     pub ragged: Vec<Square>,
 }
 

@@ -18,7 +18,7 @@ after(() => session.close());
 /** The goal, in bytes. The module of all maps alone is larger; the page of formulas has use for the small one, and meets it. */
 const GOAL = 350_000;
 /** What the modules weigh now, and may not outgrow unseen; tools/sizes.mjs holds them by gzip. */
-const MODULE = 560_000;
+const MODULE = 570_000;
 const SMALL_MODULE = 172_000;
 /** What all else weighs now, and a little. @type {Record<string, number>} */
 const PAGES = { "": 141_000, "regions.html": 137_000, "formula.html": 108_000, "cortex.html": 131_000, "flow.html": 93_000, "fields.html": 72_000, "lessons.html": 61_000 };
