@@ -43,9 +43,11 @@ const between = (random, low, high) => low + (high - low) * random();
 /** @template T @param {Random} random @param {T[]} list @returns {T} */
 const one = (random, list) => list[Math.floor(random() * list.length)];
 
-/** A place over a random picture. @param {Page} page @param {Random} random */
+/** A place over a random picture that is in view. @param {Page} page @param {Random} random */
 async function placeIn(page, random) {
-  const boxes = await page.locator(".stage:visible").evaluateAll((all) => all.map((stage) => stage.getBoundingClientRect().toJSON()));
+  const boxes = await page.locator(".stage:visible, figure.live:visible").evaluateAll((all) =>
+    all.map((stage) => stage.getBoundingClientRect().toJSON()).filter(({ top, bottom }) => bottom > 0 && top < innerHeight),
+  );
   const box = one(random, boxes);
   return box ? { x: box.x + box.width * between(random, -0.05, 1.05), y: box.y + box.height * between(random, -0.05, 1.05) } : { x: 100, y: 100 };
 }
@@ -129,16 +131,20 @@ const rests = (page) =>
     return state === "ready" || ((state === "invalid" || state === "failed") && document.getElementById("notice")?.textContent !== "");
   }, undefined, { timeout: 60_000 });
 
+/** Of a page that is left alone but for what the monkey does: a link to another page, by Tab and Enter, would end it. @param {Page} page */
+async function stayOn(page) {
+  page.on("dialog", (dialog) => dialog.dismiss());
+  await page.evaluate(() => window.addEventListener("click", (event) => {
+    const link = event.target instanceof Element && event.target.closest("a[href]");
+    if (link && !link.getAttribute("href")?.startsWith("#")) event.preventDefault();
+  }, true));
+}
+
 for (const path of ["", "regions.html", "formula.html", "cortex.html", "flow.html", "fields.html"]) {
   test(`${path || "index.html"}: a monkey of ${SECONDS} s breaks nothing`, async (context) => {
     const random = randomFrom(SEED + path.length);
     const { page, errors, close } = await openPage(session, path);
-    page.on("dialog", (dialog) => dialog.dismiss());
-    // A link to another page, by Tab and Enter, would end it.
-    await page.evaluate(() => window.addEventListener("click", (event) => {
-      const link = event.target instanceof Element && event.target.closest("a[href]");
-      if (link && !link.getAttribute("href")?.startsWith("#")) event.preventDefault();
-    }, true));
+    await stayOn(page);
     /** @type {string[]} */
     const done = [];
     const end = Date.now() + 1000 * SECONDS;
@@ -162,3 +168,27 @@ for (const path of ["", "regions.html", "formula.html", "cortex.html", "flow.htm
     await close();
   });
 }
+
+test(`lessons.html: a monkey of ${SECONDS} s breaks nothing`, async (context) => {
+  const random = randomFrom(SEED);
+  const { page, errors, close } = await openPage(session, "lessons.html");
+  await stayOn(page);
+  const figures = await page.locator("figure.live").all();
+  /** @type {string[]} */
+  const done = [];
+  const end = Date.now() + 1000 * SECONDS;
+  while (Date.now() < end && !errors.length) {
+    if (done.length % 6 === 0) await one(random, figures).scrollIntoViewIfNeeded();
+    done.push(await act(page, random));
+  }
+  const words = `seed ${SEED}, after ${done.length} things, the last ones ${done.slice(-12).join("; ")}`;
+  await page.keyboard.press("Escape");
+  for (const figure of figures) {
+    await figure.scrollIntoViewIfNeeded();
+    const id = await figure.getAttribute("id");
+    await page.waitForFunction((id) => document.getElementById(id)?.dataset.state === "ready", id ?? "").catch((error) => assert.fail(`${id}: ${error.message}: ${words}`));
+  }
+  assert.deepEqual(errors, [], words);
+  context.diagnostic(`${done.length} things in ${SECONDS} s, seed ${SEED}`);
+  await close();
+});
