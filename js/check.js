@@ -262,7 +262,7 @@ export function withArticle(name, article = "a") {
  *
  * @param {any} value
  */
-function describe(value) {
+export function describe(value) {
   if (value === undefined || value === null || typeof value === "boolean") return String(value);
   if (typeof value === "string") return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
   if (typeof value === "number") return String(value);

@@ -4,7 +4,7 @@
 // there as bytes. Pictures are drawn in bands of rows and many points in parts, one for each worker. Only finished bands travel,
 // and they are handed over, not copied.
 
-import { checkArguments, withArticle } from "./check.js";
+import { checkArguments, describe, withArticle } from "./check.js";
 import { Member, checkWorker, usualCount } from "./crew.js";
 import { failure } from "./failure.js";
 import { checkMaker } from "./guard.js";
@@ -318,7 +318,7 @@ class Pool {
  */
 function check(option, value, expected, fits) {
   if (value === undefined || (value !== null && fits(value))) return;
-  throw failure("invalid-option", `The option "${option}" cannot be used: expected ${expected}, found ${String(value)}.`, { option });
+  throw failure("invalid-option", `The option "${option}" cannot be used: expected ${expected}, found ${describe(value)}.`, { option });
 }
 
 /**

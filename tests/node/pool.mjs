@@ -130,7 +130,9 @@ test("wrong calls are told as without a pool", async () => {
   assert.throws(() => new classes.RiemannMap(), { code: "no-constructor" });
   const formula = new classes.FormulaMap("z");
   const texture = new classes.Texture(rgba, 64, 64);
-  await assert.rejects(formula.warp(texture, { ...options, signal: 1 }), { code: "invalid-option", option: "signal" });
+  for (const signal of [1, Object.create(null), Symbol("no")]) {
+    await assert.rejects(formula.warp(texture, { ...options, signal }), { code: "invalid-option", option: "signal" });
+  }
   await assert.rejects(formula.warp(new Texture(rgba, 64, 64), options), { code: "invalid-argument" });
   assert.throws(() => classes.RiemannMap.solve(new classes.Region(square), { onProgress: 3 }), { code: "invalid-option", option: "onProgress" });
   const other = await createPool({ workers: 1 });
