@@ -62,7 +62,11 @@ function read(type, value, place) {
   if ("tuple" in type) return readTuple(type.tuple, value, place);
   if ("record" in type) return readRecord(type, value, place);
   if ("list" in type) {
-    return Array.isArray(value) ? value.map((item, k) => read(type.list, item, at(place, k))) : refuse(type, value, place);
+    if (!Array.isArray(value)) return refuse(type, value, place);
+    return Array.from(value, (item, k) => {
+      const isEndless = typeof item === "number" && !Number.isFinite(item);
+      return isEndless ? refuse("Finite", item, at(place, k)) : read(type.list, item, at(place, k));
+    });
   }
   if ("methods" in type) {
     return type.methods.every((name) => typeof value[name] === "function") ? value : refuse(type, value, place);
@@ -240,6 +244,7 @@ function words(type) {
     return "fields" in type ? `an object with keys of ${Object.keys(type.fields).join(", ")}` : "an object of names and values";
   }
   if (type === "Count") return "a whole number from 0 to 2³² − 1";
+  if (type === "Finite") return "a finite number";
   if (type === "Byte") return "a whole number from 0 to 255";
   if (type in arrays) return arrays[type].words;
   if (type in types) return words(/** @type {any} */ (types)[type]);
@@ -291,7 +296,7 @@ function isCount(value, most) {
   return typeof value === "number" && Number.isInteger(value) && value >= 0 && value <= most;
 }
 
-/** @param {unknown} value */
+/** @param {any} value */
 function isPlain(value) {
-  return Object.prototype.toString.call(value) === "[object Object]";
+  return Object.prototype.toString.call(value) === "[object Object]" && !("__wbg_ptr" in value);
 }

@@ -23,10 +23,10 @@ import { builtin } from "./source.js";
 function lineTo(worker) {
   if (typeof worker.on === "function") {
     // A pool that nobody waits for lets the process end.
-    worker.unref();
+    worker.unref?.();
     return {
       post: (message) => worker.postMessage(message),
-      listen: (heard, failed) => worker.on("message", heard).on("error", failed),
+      listen: (heard, failed) => ["message", "error", "exit"].forEach((event) => worker.on(event, event === "message" ? heard : failed)),
       end: () => worker.terminate(),
     };
   }
@@ -50,6 +50,14 @@ export function checkWorker(worker) {
   if (has("postMessage") && has("terminate") && (has("on") || has("addEventListener"))) return worker;
   const message = 'The option "worker" cannot be used: expected a function that gives a Worker; what it gave is none.';
   throw failure("invalid-option", message, { option: "worker" });
+}
+
+/** An object that the workers have. */
+export class Kept {
+  /** @param {number} number under which they have it */
+  constructor(number) {
+    this.number = number;
+  }
 }
 
 /** One worker, which answers in the order in which it is asked. */
@@ -77,7 +85,8 @@ export class Member {
    * @returns {Promise<any>}
    */
   run(task, progress) {
-    return this.#ask({ task }, progress);
+    const args = task.args.map((arg) => (arg instanceof Kept ? { kept: arg.number } : { value: arg }));
+    return this.#ask({ task: { ...task, args } }, progress);
   }
 
   /**
@@ -117,7 +126,7 @@ export class Member {
         this.#line.post({ id, ...message });
       } catch (/** @type {any} */ error) {
         this.#waiting.delete(id);
-        reject(failure("invalid-argument", `A pool's workers cannot be sent this: ${error.message}.`, { cause: error }));
+        reject(failure("invalid-argument", `A pool's workers cannot be sent this: ${withoutStop(error.message)}.`, { cause: error }));
       }
     });
   }
@@ -134,13 +143,17 @@ export class Member {
 
   /** @param {any} cause */
   #fail(cause) {
-    const message = `A worker of the pool could not be started or has stopped${cause?.message ? `: ${cause.message}` : ""}. Where a bundler does not take conformal-warp/pool's worker along, give createPool() one: { worker: () => new Worker(…) }.`;
-    const error = cause?.code ? cause : failure("pool-failed", message, { cause });
+    const why = cause?.message ? `: ${withoutStop(cause.message)}` : "";
+    const message = `A worker of the pool could not be started or has stopped${why}. Where a bundler does not take conformal-warp/pool's worker along, give createPool() one: { worker: () => new Worker(…) }.`;
+    const error = cause?.code === "pool-closed" ? cause : failure("pool-failed", message, { cause });
     this.#gone ??= error;
     for (const { reject } of this.#waiting.values()) reject(error);
     this.#waiting.clear();
   }
 }
+
+/** A sentence that another one goes on after. @param {string} message */
+const withoutStop = (message) => message.replace(/\.$/, "");
 
 /** How many workers this machine has use for. */
 export function usualCount() {

@@ -30,12 +30,16 @@ function checkReady(call) {
  * @param {Function} [newTarget]
  */
 function run(call, target, self, args, newTarget) {
+  const { output } = state;
+  let result;
   try {
     checkRoom(call, args);
-    return newTarget ? Reflect.construct(target, args, newTarget) : Reflect.apply(target, self, args);
+    result = newTarget ? Reflect.construct(target, args, newTarget) : Reflect.apply(target, self, args);
   } catch (error) {
     throw translate(call, error);
   }
+  if (state.output !== output) throw failure("stale", `${call} had not ended when init.reset() loaded the module anew: call it again.`);
+  return result;
 }
 
 /** Arguments of so many bytes are passed without asking first whether there is room for them. */
@@ -78,6 +82,12 @@ function translate(call, error) {
   }
   if (error?.code === undefined && /recursive use of an object|attempted to take ownership/.test(error?.message)) {
     return failure("in-use", `${call}: an object was used while a call that changes it had not ended: not from its onProgress.`);
+  }
+  if (error?.code === undefined && /null pointer passed/.test(error?.message)) {
+    return failure("freed", `${call}: an object was freed while its arguments were read.`);
+  }
+  if (error instanceof TypeError && /detached/.test(error.message)) {
+    return failure("invalid-argument", `${call}: the memory of an array was handed over to somebody else before.`);
   }
   return error;
 }
@@ -159,7 +169,7 @@ export function checkMaker(name, signature, isNew) {
  * @param {Record<string, Parameter[]>} methods
  */
 function guardPrototype(prototype, name, methods) {
-  freeOnce(prototype);
+  freeOnce(prototype, name);
   for (const key of Reflect.ownKeys(prototype)) {
     // What starts with __ is for generated code only.
     if (typeof key !== "string" || key === "constructor" || key === "free" || key.startsWith("__")) continue;
@@ -185,19 +195,26 @@ function guardPrototype(prototype, name, methods) {
  */
 function checkReceiver(name, call, self) {
   checkObject(name, self, () => {
-    throw failure("wrong-receiver", `${call} must be called on ${withArticle(name)}: as x.${call.slice(name.length + 1)}, not apart from its object.`);
+    throw wrongReceiver(name, call);
   });
+}
+
+/** @param {string} name @param {string} call */
+function wrongReceiver(name, call) {
+  return failure("wrong-receiver", `${call} must be called on ${withArticle(name)}: as x.${call.slice(name.length + 1)}, not apart from its object.`);
 }
 
 /**
  * Freeing twice is harmless, as disposing twice must be; so is freeing what a module that is gone had made.
  *
  * @param {any} prototype
+ * @param {string} name
  */
-function freeOnce(prototype) {
+function freeOnce(prototype, name) {
   const { free } = prototype;
   prototype.free = function () {
     if (!this?.__wbg_ptr) return;
+    if (!(this instanceof /** @type {any} */ (classes.get(name)))) throw wrongReceiver(name, `${name}.free()`);
     if (isCurrent(this)) run("free()", free, this, []);
     else this.__wbg_ptr = 0;
   };

@@ -2,6 +2,7 @@
 
 import { abandon, imports, use } from "./conformal_warp.js";
 import { failure } from "./failure.js";
+import { EXPORT, FILE } from "./module.js";
 import { fetchModule, isFetchable } from "./source.js";
 import { state } from "./state.js";
 
@@ -58,7 +59,7 @@ export function loader(usual, usualBytes) {
       throw Object.assign(new TypeError(message), { code: "invalid-argument", argument: "source" });
     }
     if (state.output) return state.output;
-    const module = isModule(given) ? given : compileSync(given);
+    const module = ours(isModule(given) ? given : compileSync(given), "what was given to initSync()");
     const output = instantiateSync(module);
     state.loading = Promise.resolve(output);
     return output;
@@ -101,8 +102,8 @@ export async function compiledModule(source, usual) {
  */
 function finish(module, instance) {
   if (!state.output) {
-    state.module = module;
     state.output = use(instance);
+    state.module = module;
   }
   return state.output;
 }
@@ -112,14 +113,25 @@ function finish(module, instance) {
  * @returns {Promise<WebAssembly.Module>}
  */
 async function compile(source) {
-  if (isModule(source)) return source;
+  if (isModule(source)) return ours(source, "the module given to init()");
   if (!isSource(source)) throw wrongSource();
   const found = isBytes(source) ? { bytes: source, from: "the bytes given to init()" } : await fetchModule(source);
   try {
-    return "response" in found ? await WebAssembly.compileStreaming(found.response) : await WebAssembly.compile(found.bytes);
+    return ours("response" in found ? await WebAssembly.compileStreaming(found.response) : await WebAssembly.compile(found.bytes), found.from);
   } catch (error) {
     throw explain(error, found.from);
   }
+}
+
+/**
+ * A module, if it is this package's.
+ *
+ * @param {WebAssembly.Module} module
+ * @param {string} from
+ */
+function ours(module, from) {
+  if (WebAssembly.Module.exports(module).some(({ name }) => name === EXPORT)) return module;
+  throw failure("not-wasm", `What came from ${from} is WebAssembly, but not this package's ${FILE}.`);
 }
 
 /** @param {BufferSource} bytes */
@@ -145,6 +157,7 @@ function instantiateSync(module) {
  * @param {string} from
  */
 function explain(error, from) {
+  if (/** @type {any} */ (error)?.code) return error;
   if (error instanceof WebAssembly.LinkError || error instanceof TypeError) {
     const message = `What came from ${from} is WebAssembly, but not this package's of this version: ${error.message}`;
     return failure("not-wasm", message, { cause: error });

@@ -45,6 +45,9 @@ function hear(message) {
   else last = last.then(() => answer(message)).catch(() => undefined);
 }
 
+/** A pool has no way to load the module again in one worker. */
+const CRASHED = "A worker of the pool has crashed, for want of memory or by a fault of the module: close the pool, and make a new one.";
+
 /** @param {Message} message */
 async function answer({ id, module, task, free, awaits }) {
   if (free !== undefined) {
@@ -54,11 +57,12 @@ async function answer({ id, module, task, free, awaits }) {
   }
   try {
     if (module) await init(module);
-    if (task && awaits !== undefined) task.args = [await received(awaits)];
+    if (task && awaits !== undefined) task.args = [{ value: await received(awaits) }];
     const value = task && perform(id, task);
     post({ id, value }, ArrayBuffer.isView(value) ? [value.buffer] : []);
   } catch (/** @type {any} */ error) {
-    post({ id, error: { ...error, message: String(error?.message ?? error), cause: undefined } });
+    const message = error?.code === "crashed" ? CRASHED : String(error?.message ?? error);
+    post({ id, error: { ...error, message, cause: undefined } });
   }
 }
 
@@ -67,7 +71,7 @@ async function answer({ id, module, task, free, awaits }) {
  * @param {Task} task
  */
 function perform(id, { kind, name, key = "", self, args, keep, cancel, progress }) {
-  const given = args.map((/** @type {any} */ arg) => (arg?.kept === undefined ? arg : found(arg.kept)));
+  const given = args.map((/** @type {any} */ arg) => ("value" in arg ? arg.value : found(arg.kept)));
   if (cancel || progress) tell(id, given, cancel, progress);
   const made_ = /** @type {any} */ (made)[name];
   const object = self === undefined ? undefined : found(self);

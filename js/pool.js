@@ -5,7 +5,7 @@
 // and they are handed over, not copied.
 
 import { checkArguments, describe, withArticle } from "./check.js";
-import { Member, checkWorker, usualCount } from "./crew.js";
+import { Kept, Member, checkWorker, usualCount } from "./crew.js";
 import { failure } from "./failure.js";
 import { checkMaker } from "./guard.js";
 import { compiledModule } from "./load.js";
@@ -261,14 +261,14 @@ class Pool {
       if (handle && handle.pool !== this) {
         throw failure("invalid-argument", `${withArticle(handle.name, "A")} of another pool was given: its workers are not this pool's.`);
       }
-      if (handle) return { kept: handle.kept };
+      if (handle) return new Kept(handle.kept);
       if (Object.prototype.toString.call(arg) !== "[object Object]") return arg;
       const { signal: given, onProgress: told, ...rest } = /** @type {any} */ (arg);
       signal = given ?? signal;
       onProgress = told ?? onProgress;
       return rest;
     });
-    check("signal", signal, "an AbortSignal", (value) => typeof value.throwIfAborted === "function");
+    check("signal", signal, "an AbortSignal", isSignal);
     check("onProgress", onProgress, "a function", (value) => typeof value === "function");
     signal?.throwIfAborted();
     // Where memory can be shared, a solve under way is told to stop; elsewhere its result is dropped.
@@ -310,6 +310,11 @@ class Pool {
   }
 }
 
+/** @param {any} value */
+function isSignal(value) {
+  return ["throwIfAborted", "addEventListener", "removeEventListener"].every((name) => typeof value[name] === "function");
+}
+
 /**
  * @param {string} option
  * @param {any} value
@@ -332,7 +337,7 @@ function viewOf(args) {
   const isView = Array.isArray(last?.view?.pixels) && Number.isInteger(last.view.pixels[1]);
   // What cannot be divided into rows is refused by the worker, in its words.
   const rows = last?.rows ?? [0, 0];
-  return isView && Array.isArray(rows) && rows.every(Number.isInteger) && !handles.has(last) ? last : undefined;
+  return isView && Array.isArray(rows) && rows.length === 2 && rows.every(Number.isInteger) && !handles.has(last) ? last : undefined;
 }
 
 /**

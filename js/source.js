@@ -31,6 +31,7 @@ export async function fetchModule(source) {
  * @returns {Promise<Found>}
  */
 async function readResponse(response, from = response.url || "a response") {
+  if (response.bodyUsed) throw failure("load-failed", `The response from ${from} was read before: give init() a fresh one.`);
   if (!response.ok) throw failure("load-failed", `The module is not at ${from}: the answer was ${response.status}. ${ADVICE}`);
   const type = response.headers.get("Content-Type") ?? "something";
   const streams = type.startsWith("application/wasm") && typeof WebAssembly.compileStreaming === "function";
@@ -89,7 +90,7 @@ export function builtin(name) {
 
 /** Whether this is an address, a request or a response. @param {any} source */
 export function isFetchable(source) {
-  return typeof source === "string" || source instanceof URL || source.url !== undefined || isResponse(source);
+  return typeof source === "string" || source instanceof URL || typeof source.url === "string" || isResponse(source);
 }
 
 /** @param {unknown} value @returns {value is Response} */

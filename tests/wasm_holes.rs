@@ -59,6 +59,11 @@ fn a_region_knows_its_holes() {
     assert_eq!(code(&JsValue::from(RiemannMap::solve(&frame, None).unwrap_err())), "wrong-region");
 }
 
+/// The numbers of a path.
+fn numbers(path: &str) -> Vec<f64> {
+    path.split(|c: char| c.is_ascii_alphabetic() && c != 'e' || c == ' ').filter_map(|text| text.parse().ok()).collect()
+}
+
 #[wasm_bindgen_test]
 fn holes_may_be_paths_and_edges() {
     let outer = "M2 0 A2 2 0 0 1 -2 0 A2 2 0 0 1 2 0 Z";
@@ -72,7 +77,11 @@ fn holes_may_be_paths_and_edges() {
     for fields in given {
         let ring = region(&fields).unwrap();
         assert_eq!(ring.contains(&[1.0, 0.0, 0.9, 0.1, 1.5, 1.0, 2.1, 0.0]).unwrap(), [1, 0, 1, 0]);
-        assert_eq!(region(&format!("path: '{}'", ring.path().unwrap())).unwrap().path(), ring.path());
+        // A path says arcs by their ends: their middles are found again up to rounding.
+        let again = region(&format!("path: '{}'", ring.path().unwrap())).unwrap();
+        let (first, second) = (numbers(&ring.path().unwrap()), numbers(&again.path().unwrap()));
+        assert_eq!(first.len(), second.len());
+        assert!(first.iter().zip(&second).all(|(a, b)| (a - b).abs() < 4e-15), "{first:?} {second:?}");
         let map = AnnulusMap::solve(&ring, fine()).unwrap();
         assert!((map.inner_radius() - 0.5).abs() < 1e-12, "{fields}: {}", map.inner_radius());
     }

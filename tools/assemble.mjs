@@ -53,6 +53,7 @@ export async function assemble(generated, module, folder, part) {
 function forPart(text, part) {
   return text
     .replaceAll("conformal_warp_bg.wasm", `${part}_bg.wasm`)
+    .replaceAll('"region_new"', '"formulamap_new"')
     .replaceAll('"conformal-warp/pkg/"', `"conformal-warp/pkg/${part}/"`)
     .replaceAll(/"conformal-warp\/(wasm|inline)"/g, `"conformal-warp/${part}/$1"`);
 }

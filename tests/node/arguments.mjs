@@ -228,6 +228,15 @@ test("what fits the types but cannot be", () => {
     "a spacing of 0": () => JointTriangulation.regionToDisk(map, { spacing: 0 }),
     "a Uint8Array to fill": () => formula.warp(texture, { ...options, out: new Uint8Array(4 * 64) }),
     "a Uint8Array to fill, prepared": () => fine.objects.PreparedWarp.warp(texture, new Uint8Array(4 * 64)),
+    "potentials that are no numbers": () => Electrostatics.solve(fine.ring, { potentials: [NaN, 1] }),
+    "an endless circulation": () => fine.objects.PotentialFlow.again({ circulation: [Infinity] }),
+    "an object of the package for options": () => RiemannMap.solve(fine.objects.Region, fine.objects.Region),
+    "an array whose memory is gone": () => formula.eval(detached()),
+    "free of another class": () => Texture.prototype.free.call(new FormulaMap("z")),
+    "an argument that frees the object": () => {
+      const gone = new FormulaMap("z");
+      gone.eval(/** @type {any} */ (new Proxy([1, 2], { get: (numbers, key) => (key === "0" && gone.free(), Reflect.get(numbers, key)) })));
+    },
     "an overlay of no opacity it uses": () => formula.overlay({ kind: "polar", view: frame, opacity: Infinity }),
     "an angle that is not used": () => SlitMap.solve(fine.ring, { kind: "annulus", angle: Infinity }),
     "an infinite density": () => fine.objects.PotentialFlow.lift(Infinity),
@@ -242,6 +251,12 @@ test("what fits the types but cannot be", () => {
   assert.deepEqual(texture.size, [8, 8], "a texture that was refused is still there");
   assert.equal(formula.warp(texture, options).length, 4 * 64, "the module works on");
 });
+
+function detached() {
+  const points = new Float64Array(2);
+  structuredClone(points.buffer, { transfer: [points.buffer] });
+  return points;
+}
 
 test("what is wrong is said so that it can be mended", () => {
   const { Texture: texture, Region: region, AnnulusMap: annulus } = fine.objects;

@@ -120,6 +120,16 @@ test("closing rejects what is not done, and all that is asked later", async () =
   other.close();
 });
 
+test("a worker that ends is told, and so is what is no module of the package", async () => {
+  const script = new URL(import.meta.resolve("conformal-warp/pool-worker"));
+  /** @type {Worker[]} */
+  const workers = [];
+  const other = await createPool({ workers: 1, worker: () => (workers.push(new Worker(script)), workers[0]) });
+  await workers[0].terminate();
+  await assert.rejects(new other.FormulaMap("z").eval(new Float64Array(2)), { code: "pool-failed" });
+  await assert.rejects(createPool({ workers: 1, worker: () => new Worker("process.exit(1)", { eval: true }) }), { code: "pool-failed" });
+});
+
 test("wrong calls are told as without a pool", async () => {
   const call = /** @type {any} */ (createPool);
   for (const options of [4, { threads: 4 }, { worker: 4 }, { worker: () => ({}), workers: 1 }, { workers: "4" }, { workers: 257 }]) {
