@@ -151,6 +151,7 @@ class Pool {
         const { kept: self, name } = handle;
         // What looks at any object, as consoles do, asks for nothing.
         if (!isMethod(key) && !signature.properties.includes(key)) return undefined;
+        if (handle.bands && (key === "size" || key === "bytes")) return ready.then(() => this.#whole(key, handle));
         if (!isMethod(key)) return ready.then(() => this.#ask({ kind: "get", name, key, self, args: [] }));
         return (/** @type {unknown[]} */ ...args) => this.#call(handle, ready, signature, key, args);
       },
@@ -193,6 +194,18 @@ class Pool {
   }
 
   /**
+   * The size of a picture that is prepared in bands, or the memory of all of them.
+   *
+   * @param {"size" | "bytes"} key
+   * @param {Handle} handle
+   */
+  async #whole(key, { kept: self, name, bands = [] }) {
+    const parts = await Promise.all(this.members.map((member) => member.run({ kind: "get", name, key, self, args: [] })));
+    if (key === "bytes") return parts.reduce((sum, bytes) => sum + bytes, 0);
+    return [parts[0][0], bands[bands.length - 1][1] - bands[0][0]];
+  }
+
+  /**
    * Bands of rows, put together.
    *
    * @param {Task} task
@@ -200,10 +213,12 @@ class Pool {
    * @param {any} out
    */
   async #gather(task, bands, out) {
+    check("out", out ?? undefined, "a Uint8ClampedArray", (value) => Object.prototype.toString.call(value) === "[object Uint8ClampedArray]");
     const call = this.#read(task);
     const drawn = this.members.map((member, k) => {
-      const args = withRows(call.task.args, bands[k], out);
-      return member.run({ ...call.task, args });
+      // An overlay is drawn over what is there.
+      const under = out && task.key === "overlay" ? rowsOf(out, bands, k) : undefined;
+      return member.run({ ...call.task, args: withRows(call.task.args, bands[k], out, under) });
     });
     const parts = await call.untilAborted(Promise.all(drawn));
     const length = parts.reduce((sum, part) => sum + part.length, 0);
@@ -341,16 +356,30 @@ function viewOf(args) {
 }
 
 /**
- * The arguments with a band of rows in their options, and nothing to fill.
+ * The arguments with a band of rows in their options, and with the band of what is to be drawn over, if anything.
  *
  * @param {unknown[]} args
  * @param {[number, number]} [rows]
  * @param {unknown} [out]
+ * @param {Uint8ClampedArray} [under]
  */
-function withRows(args, rows, out) {
+function withRows(args, rows, out, under) {
   if (!rows) return args;
   return args.flatMap((/** @type {any} */ arg) => {
     if (out !== undefined && arg === out) return [];
-    return arg?.view?.pixels ? [{ ...arg, rows, out: undefined }] : [arg];
+    return arg?.view?.pixels ? [{ ...arg, rows, out: under }] : [arg];
   });
+}
+
+/**
+ * A copy of what a picture has in a band.
+ *
+ * @param {Uint8ClampedArray} picture of all bands
+ * @param {[number, number][]} bands
+ * @param {number} k
+ */
+function rowsOf(picture, bands, k) {
+  const [first, end] = [bands[0][0], bands[bands.length - 1][1]];
+  const [from, to] = bands[k].map((row) => ((row - first) / (end - first)) * picture.length);
+  return picture.slice(from, to);
 }

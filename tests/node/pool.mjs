@@ -42,6 +42,14 @@ test("pictures and points are those of one thread, to the bit", async () => {
   assert.deepEqual(out, expected.warp(own, options));
   const prepared = formula.prepareWarp(texture, options);
   assert.deepEqual(await prepared.warp(texture), out);
+  const preparedAlone = expected.prepareWarp(own, options);
+  assert.deepEqual(await prepared.size, preparedAlone.size);
+  assert.ok((await prepared.bytes) > 0.9 * preparedAlone.bytes);
+  assert.deepEqual(await formula.overlay({ kind: "polar", view: frame, out: out.slice() }), expected.overlay({ kind: "polar", view: frame, out: out.slice() }));
+  for (const wrong of [new Array(4 * 64 * 61).fill(0), "abc", new Uint8Array(4 * 64 * 61), 0]) {
+    await assert.rejects(formula.warp(texture, /** @type {any} */ ({ ...options, out: wrong })), { code: "invalid-option", option: "out" });
+  }
+  await assert.rejects(formula.warp(texture, /** @type {any} */ ({ ...options, rows: [0, 1, 2] })), { code: "invalid-option" });
   assert.deepEqual(await formula.overlay({ kind: "polar", view: frame }), expected.overlay({ kind: "polar", view: frame }));
 });
 
