@@ -96,14 +96,21 @@ impl Place {
     }
 }
 
+/// More along a boundary would take minutes, and memory that is not there.
+const MOST_POINTS: f64 = 1e6;
+
 impl Ring {
     /// The corners of both outlines, and points between them at most `spacing` apart along the source.
     ///
     /// # Errors
-    /// [`Error::Crowded`] where corners of one copy come so close together in the other that double precision
+    /// [`Error::InvalidOption`] for a spacing that asks for millions of points; [`Error::Crowded`] where corners of one copy come so close together in the other that double precision
     /// cannot place them one after the other.
     pub(super) fn new(map: &dyn Correspondence, spacing: f64, room: Room) -> Result<Self> {
         let outlines = map.copies().map(Outline::new);
+        if outlines[0].length() > MOST_POINTS * spacing {
+            let expected = "large enough for at most a million points along the boundary";
+            return Err(Error::InvalidOption { name: "spacing", expected, value: spacing });
+        }
         let own = candidates_of_source(map, &outlines, outlines[0].divisions(spacing, room.turn));
         let others = candidates_of_target(map, &outlines, outlines[1].divisions(f64::INFINITY, room.turn));
         let reach = outlines[1].length() / outlines[0].length() * spacing;

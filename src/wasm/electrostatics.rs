@@ -7,10 +7,14 @@ use super::points;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::solved_methods;
+use crate::Error;
 use crate::riemann::Conductors;
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
+
+/// More lines of force would take minutes.
+const MOST_LINES: usize = 10_000;
 
 /// What is known of the conductors: one number for each, the outer boundary first if there is one, then the holes or bodies.
 #[derive(Debug, Default, Deserialize, Tsify)]
@@ -107,6 +111,10 @@ impl Electrostatics {
         #[wasm_bindgen(unchecked_param_type = "Count")] count: usize,
         frame: Ts<FrameOptions>,
     ) -> Result<LevelLines, Failure> {
+        if count > MOST_LINES {
+            let value = count as f64;
+            return Err(Error::InvalidOption { name: "count", expected: "at most 10000 lines", value }.into());
+        }
         Ok(self.0.force_lines(count, level_lines::window(&frame)?).into())
     }
 

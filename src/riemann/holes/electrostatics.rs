@@ -67,6 +67,10 @@ impl Electrostatics {
             let expected = count.to_string();
             return Err(Error::WrongLength { what: "What is given of the conductors", expected, found: numbers.len() });
         }
+        if let Some(value) = numbers.iter().copied().find(|number| !number.is_finite()) {
+            let name = if matches!(given, Conductors::Charges(_)) { "charges" } else { "potentials" };
+            return Err(Error::InvalidOption { name, expected: "finite numbers", value });
+        }
         let first = usize::from(domain.is_bounded());
         let unit_charge = |k: usize| {
             let mut charges = vec![0.0; count];

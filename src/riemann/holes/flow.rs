@@ -280,7 +280,14 @@ fn checked(domain: &Domain, speed: f64, angle: f64, circulation: &Circulation) -
     if found != bodies {
         return Err(Error::WrongLength { what, expected: format!("as many as there are bodies, {bodies}"), found });
     }
-    let Circulation::Kutta { trailing } = circulation else { return Ok(()) };
+    let trailing = match circulation {
+        Circulation::Kutta { trailing } => trailing,
+        Circulation::Given(given) => {
+            let endless = given.iter().copied().find(|number| !number.is_finite());
+            let refuse = |value| Err(Error::InvalidOption { name: "circulation", expected: "finite numbers", value });
+            return endless.map_or(Ok(()), refuse);
+        }
+    };
     for (contour, &vertex) in domain.contours().iter().zip(trailing) {
         let value = vertex as f64;
         if vertex >= contour.edge_count() {
