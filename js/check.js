@@ -56,6 +56,7 @@ export function checkArguments(call, parameters, given) {
  * @returns {unknown}
  */
 function read(type, value, place) {
+  if (isRevoked(value)) return refuse(type, value, place);
   if (typeof type === "string") return readNamed(type, value, place);
   if ("oneOf" in type) return type.oneOf.includes(value) ? value : refuse(type, value, place);
   if ("any" in type) return readAny(type, value, place);
@@ -82,6 +83,7 @@ function read(type, value, place) {
 function readNamed(type, value, place) {
   if (type === "unknown") return value;
   if (type === "Count") return isCount(value, LARGEST_COUNT) ? value : refuse(type, value, place);
+  if (type === "function" && isClass(value)) return refuse(type, value, place);
   if (type in arrays) return readArray(type, value, place);
   if (classes.has(type)) return checkObject(type, value, () => refuse(type, value, place));
   if (type in types) return read(/** @type {any} */ (types)[type], value, place);
@@ -165,7 +167,7 @@ function readFields(type, value, place) {
   const names = Object.keys(type.fields);
   if (!isPlain(value) && !(type.open && typeof value === "object")) return refuse(type, value, place);
   // A misspelled option must not be silently ignored.
-  const unknown = Object.keys(value).find((key) => !Object.hasOwn(type.fields, key) && value[key] !== undefined);
+  const unknown = keysOf(value).find((key) => !Object.hasOwn(type.fields, key) && value[key] !== undefined);
   if (unknown !== undefined && !type.open) {
     const { path } = at(place, unknown);
     throw failure("invalid-option", `There is no option "${path}"; there are ${names.join(", ")}.`, { option: path });
@@ -183,6 +185,13 @@ function readFields(type, value, place) {
     }
   }
   return fresh;
+}
+
+/** The names that an object answers to, inherited ones too; but not what somebody gave to all objects. @param {object} value */
+function keysOf(value) {
+  const names = [];
+  for (const name in value) if (!Object.hasOwn(Object.prototype, name)) names.push(name);
+  return names;
 }
 
 /**
@@ -269,6 +278,8 @@ export function withArticle(name, article = "a") {
  */
 export function describe(value) {
   if (value === undefined || value === null || typeof value === "boolean") return String(value);
+  if (isRevoked(value)) return "a revoked proxy";
+  if (isClass(value)) return "a class";
   if (typeof value === "string") return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
   if (typeof value === "number") return String(value);
   if (Array.isArray(value)) return `an array of ${value.length}`;
@@ -294,6 +305,21 @@ function kindOf(value) {
  */
 function isCount(value, most) {
   return typeof value === "number" && Number.isInteger(value) && value >= 0 && value <= most;
+}
+
+/** A proxy that has been revoked throws whatever is asked of it. @param {unknown} value */
+function isRevoked(value) {
+  try {
+    Array.isArray(value);
+    return false;
+  } catch {
+    return true;
+  }
+}
+
+/** What can be called by `new` alone. @param {unknown} value */
+function isClass(value) {
+  return typeof value === "function" && /^class\b/.test(Function.prototype.toString.call(value));
 }
 
 /** @param {any} value */

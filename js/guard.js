@@ -215,6 +215,7 @@ function freeOnce(prototype, name) {
   prototype.free = function () {
     if (!this?.__wbg_ptr) return;
     if (!(this instanceof /** @type {any} */ (classes.get(name)))) throw wrongReceiver(name, `${name}.free()`);
+    if (Object.isFrozen(this)) throw failure("wrong-receiver", `This ${name} cannot be freed: Object.freeze() holds it as it is.`);
     if (isCurrent(this)) run("free()", free, this, []);
     else this.__wbg_ptr = 0;
   };

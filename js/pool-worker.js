@@ -73,6 +73,7 @@ async function answer({ id, module, task, free, awaits }) {
 function perform(id, { kind, name, key = "", self, args, keep, cancel, progress }) {
   const given = args.map((/** @type {any} */ arg) => ("value" in arg ? arg.value : found(arg.kept)));
   if (cancel || progress) tell(id, given, cancel, progress);
+  if (key === "prepare") given[0] = given[0].onProgress;
   const made_ = /** @type {any} */ (made)[name];
   const object = self === undefined ? undefined : found(self);
   const value = kind === "new" ? new made_(...given) : kind === "static" ? made_[key](...given) : kind === "get" ? object[key] : object[key](...given);
@@ -99,7 +100,7 @@ function missing() {
 }
 
 /**
- * Puts an `onProgress` into the options of a solve.
+ * Puts an `onProgress` into the options of a solve, or of what is prepared.
  *
  * @param {number} id
  * @param {any[]} given

@@ -179,6 +179,7 @@ class Pool {
       if (isDrawn && handle.bands) return this.#gather(task, handle.bands, args[1]);
       if (isDrawn && view) return this.#gather(task, this.#bands(view), /** @type {any} */ (args.at(-1)).out);
       const points = args.length === 1 && args[0] instanceof Float64Array ? args[0] : undefined;
+      if (key === "prepare") return this.#prepare(task);
       return points && points.length >= 2 * PART ? this.#divide(task, points) : this.#ask(task);
     });
   }
@@ -255,6 +256,12 @@ class Pool {
     return whole;
   }
 
+  /** Every worker prepares its own; the first tells how far it is. @param {Task} task */
+  async #prepare(task) {
+    const call = this.#read({ ...task, args: [{ onProgress: task.args[0] ?? undefined }] });
+    await call.untilAborted(Promise.all(this.members.map((member, k) => member.run(call.task, k === 0 ? call.progress : undefined))));
+  }
+
   /** One worker's answer; they take turns. @param {Task} task */
   async #ask(task) {
     const call = this.#read(task);
@@ -279,6 +286,9 @@ class Pool {
       if (handle) return new Kept(handle.kept);
       if (Object.prototype.toString.call(arg) !== "[object Object]") return arg;
       const { signal: given, onProgress: told, ...rest } = /** @type {any} */ (arg);
+      if (told !== undefined && "view" in rest) {
+        throw failure("invalid-option", "There is no option \"onProgress\" of drawings; a signal aborts them.", { option: "onProgress" });
+      }
       signal = given ?? signal;
       onProgress = told ?? onProgress;
       return rest;

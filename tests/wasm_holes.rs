@@ -171,6 +171,18 @@ fn slits_fields_and_flows() {
     let square = "new Float64Array([0, 0, 1, 0, 1, 1, 0, 1])";
     let body = Ts::<BodyOptions>::new_unchecked(object(&format!("boundary: {square}")));
     assert!((ExteriorMap::solve(body, fine()).unwrap().capacity() - 0.590_170_299_508_048_1).abs() < 1e-12);
+    // A disk of radius 2 has the capacity 2; splines through some of its points leave it by little.
+    let points =
+        "Float64Array.from({ length: 128 }, (_, k) => 2 * (k % 2 ? Math.sin : Math.cos)(Math.PI / 32 * (k >> 1)))";
+    for (given, tolerance) in [
+        ("path: 'M2 0A2 2 0 0 1 -2 0A2 2 0 0 1 2 0Z'", 1e-12),
+        ("edges: [{ arc: { center: [0, 0], radii: [2, 2], start: 0, sweep: 2 * Math.PI } }]", 1e-12),
+        (&format!("through: {points}"), 1e-5),
+    ] {
+        let body = Ts::<BodyOptions>::new_unchecked(object(given));
+        let capacity = ExteriorMap::solve(body, fine()).unwrap().capacity();
+        assert!((capacity - 2.0).abs() < tolerance, "{given}: {capacity}");
+    }
 
     let wing = exterior("holes: [new Float64Array([1, 0, 0, 0.05, -1, 0, 0, -0.05])]");
     let wind = Ts::<FlowOptions>::new_unchecked(object("angle: 0.1, circulation: 'kutta'"));

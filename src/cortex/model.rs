@@ -94,6 +94,8 @@ impl CorticalModel {
             "its shear must lie between 0 and 2"
         } else if !positive(extent) || extent > 180.0 {
             "its largest eccentricity must be more than 0 and at most 180 degrees"
+        } else if !self.area_within(extent).is_normal() {
+            "its area is no number of square millimetres"
         } else {
             return Ok(self);
         };

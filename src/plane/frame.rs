@@ -17,7 +17,8 @@ impl Frame {
     /// A frame around `center`, `width` plane units wide; its height follows from `pixels` = [columns, rows].
     ///
     /// # Errors
-    /// [`Error::InvalidFrame`] if a number is not finite, or the width or a pixel count is not positive.
+    /// [`Error::InvalidFrame`] if a number is not finite, the width or a pixel count is not positive, or pixels are too small or
+    /// too far away for numbers.
     pub fn new(center: Complex64, width: f64, pixels: [usize; 2]) -> Result<Self> {
         let reason = if !center.is_finite() {
             Some("the center is not finite")
@@ -30,9 +31,17 @@ impl Frame {
         } else {
             None
         };
-        match reason {
-            Some(reason) => Err(Error::InvalidFrame { reason }),
-            None => Ok(Self { center, width, pixels }),
+        if let Some(reason) = reason {
+            return Err(Error::InvalidFrame { reason });
+        }
+        let frame = Self { center, width, pixels };
+        let [near, far] = [frame.to_plane(0.0, 0.0), frame.to_plane(pixels[0] as f64, pixels[1] as f64)];
+        // Beyond them neither a pixel's size nor its reciprocal is a number.
+        let has_numbers = frame.pixel_size().recip().is_finite() && near.is_finite() && far.is_finite();
+        if has_numbers {
+            Ok(frame)
+        } else {
+            Err(Error::InvalidFrame { reason: "its pixels lie beyond the range of numbers" })
         }
     }
 

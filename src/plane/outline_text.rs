@@ -155,7 +155,16 @@ fn from_json(text: &str) -> Result<Vec<Complex64>> {
     if vertices.len() > 1 && vertices.first() == vertices.last() {
         vertices.pop();
     }
-    Ok(vertices)
+    enclosing(vertices)
+}
+
+/// Vertices that can have something between them.
+fn enclosing(vertices: Vec<Complex64>) -> Result<Vec<Complex64>> {
+    match vertices.len() {
+        0 => Err(invalid("it has no points")),
+        1 | 2 => Err(invalid("an outline needs three points that differ")),
+        _ => Ok(vertices),
+    }
 }
 
 /// The one curve that all these draw, as the vertices of a closed polygon.
@@ -163,7 +172,7 @@ fn one_of(chains: &[Chain], tolerance: f64) -> Result<Vec<Complex64>> {
     let mut contours: Vec<_> = chains.iter().map(|chain| contour(chain, tolerance)).collect();
     contours.retain(|contour| contour.len() > 1);
     match (contours.len(), contours.pop()) {
-        (1, Some(contour)) => Ok(contour),
+        (1, Some(contour)) => enclosing(contour),
         (count, _) => Err(wrong_count(count)),
     }
 }

@@ -9,27 +9,38 @@ pub struct SolveOptions {
     pub tolerance: f64,
     /// Largest number of unknowns.
     pub max_unknowns: usize,
-    /// Most centers, at most 64, whose maps are solved and linked so that the far ends of long regions stay apart. With 1
+    /// Most centers, 1 to 64, whose maps are solved and linked so that the far ends of long regions stay apart. With 1
     /// nothing more is solved, and what lies beyond the reach of one center is crowded together.
     pub max_charts: usize,
 }
 
+/// More centers than any region needs that double precision can describe.
+const MOST_CHARTS: usize = 64;
+
 impl Default for SolveOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-8, max_unknowns: 150_000, max_charts: 64 }
+        Self { tolerance: 1e-8, max_unknowns: 150_000, max_charts: MOST_CHARTS }
     }
 }
 
 impl SolveOptions {
-    /// Whether the tolerance is one that can be asked for.
+    /// Whether the tolerance and the number of centers are ones that can be asked for.
     ///
     /// # Errors
     /// [`Error::InvalidOption`].
     pub fn validate(&self) -> Result<()> {
-        if (1e-14..=0.1).contains(&self.tolerance) {
-            return Ok(());
+        if !(1e-14..=0.1).contains(&self.tolerance) {
+            return Err(Error::InvalidOption {
+                name: "tolerance",
+                expected: "between 1e-14 and 0.1",
+                value: self.tolerance,
+            });
         }
-        Err(Error::InvalidOption { name: "tolerance", expected: "between 1e-14 and 0.1", value: self.tolerance })
+        if !(1..=MOST_CHARTS).contains(&self.max_charts) {
+            let value = self.max_charts as f64;
+            return Err(Error::InvalidOption { name: "max_charts", expected: "from 1 to 64", value });
+        }
+        Ok(())
     }
 }
 

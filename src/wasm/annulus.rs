@@ -2,7 +2,7 @@
 
 use super::canonical::joinable;
 use super::error::Failure;
-use super::level_lines::LevelLines;
+use super::level_lines::{self, LevelLines};
 use super::points;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
@@ -50,6 +50,7 @@ impl AnnulusMap {
     }
 
     /// Lines of the region that go to "circles" of the ring, with the radii `levels`, or to its "rays", with these angles.
+    /// A circle that does not lie in the ring has no line.
     ///
     /// Throws "invalid-option".
     #[wasm_bindgen(js_name = levelLines)]
@@ -63,6 +64,14 @@ impl AnnulusMap {
             "rays" => RingLines::Rays,
             _ => return Err(Failure::option("what", "what must be \"circles\" or \"rays\".")),
         };
+        let levels = level_lines::finite(levels)?;
+        if let (RingLines::Circles, Some(k)) = (what, levels.iter().position(|radius| *radius <= 0.0)) {
+            let name = format!("levels[{k}]");
+            return Err(Failure::option(
+                &name,
+                &format!("The option \"{name}\" cannot be used: a radius is positive."),
+            ));
+        }
         Ok(self.1.level_lines(what, levels).into())
     }
 

@@ -10,6 +10,7 @@ use super::prepared::PreparedWarp;
 use super::riemann::RiemannMap;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions};
+use crate::Error;
 use crate::cortex::{self, CorticalModel, FieldPoint, Gaze, Hemisphere, Landmark, OutlineView, VisualCortex};
 use crate::map::{InvertibleMap, Jet, PlaneMap};
 use crate::plane::{Complex64, Frame};
@@ -118,6 +119,9 @@ pub struct RetinoCorticalMap {
     landmark_error: Option<[f64; 2]>,
 }
 
+/// An outline has two corners and three sides.
+const LEAST_VERTICES: usize = 6;
+
 #[wasm_bindgen]
 impl RetinoCorticalMap {
     /// The map of a closed formula, the fovea at 0: k log((z + a)/(z + b)) + k log(b/a), or k log((z + a)/a).
@@ -142,7 +146,7 @@ impl RetinoCorticalMap {
         Ok(Self { cortex: VisualCortex::from_view(chain, map.inner().region(), view, hemisphere), landmark_error })
     }
 
-    /// The outline of V1 under a closed formula, a polygon of so many vertices in millimetres: a model, not a measurement.
+    /// The outline of V1 under a closed formula, a polygon of so many vertices, 6 at least, in millimetres: a model, not a measurement.
     /// It begins at the fovea and is that of a left hemisphere.
     ///
     /// Throws "invalid-map" or "invalid-option".
@@ -152,6 +156,10 @@ impl RetinoCorticalMap {
         #[wasm_bindgen(unchecked_param_type = "Count")] vertices: usize,
     ) -> Result<Vec<f64>, Failure> {
         let model = options::read(&options)?.model()?;
+        if vertices < LEAST_VERTICES {
+            let value = vertices as f64;
+            return Err(Error::InvalidOption { name: "vertices", expected: "at least 6", value }.into());
+        }
         memory::room_for(64.0 * vertices as f64)?;
         Ok(points::to_flat(&model.outline(vertices)))
     }
@@ -165,7 +173,10 @@ impl RetinoCorticalMap {
     pub fn model_landmark(options: Ts<CorticalModelOptions>, landmark: Option<Ts<Point>>) -> Result<Object, Failure> {
         let model = options::read(&options)?.model()?;
         let landmark = landmark.map(|point| options::read_point("landmark", &point)).transpose()?;
-        let Landmark { cortex, direction, .. } = model.landmark(field_point(landmark).coordinate());
+        let field = field_point(landmark).coordinate();
+        // As `outline` refuses it.
+        cortex::HalfDiskMap::new(field, 0.0)?;
+        let Landmark { cortex, direction, .. } = model.landmark(field);
         let found = Object::new();
         // Setting a property of an object that was just made does not fail.
         let _ = Reflect::set(&found, &"center".into(), &points::pair(cortex));

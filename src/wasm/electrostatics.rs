@@ -98,7 +98,7 @@ impl Electrostatics {
     /// Throws "invalid-option" or "invalid-frame".
     #[wasm_bindgen(js_name = levelLines)]
     pub fn level_lines(&self, levels: &[f64], frame: Ts<FrameOptions>) -> Result<LevelLines, Failure> {
-        Ok(self.0.level_lines(levels, level_lines::window(&frame)?).into())
+        Ok(self.0.level_lines(level_lines::finite(levels)?, level_lines::window(&frame)?).into())
     }
 
     /// Lines of force in a frame: `count` leave the conductor with the largest charge, and from every other with a positive one

@@ -1,31 +1,46 @@
 //! `ExteriorMap` in JavaScript.
 
 use super::canonical::joinable;
+use super::drawn::{Given, directed, domain_of};
 use super::error::Failure;
 use super::options::{self, Point};
 use super::points;
-use super::region::directed;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::{prepare_method, solved_methods};
 use super::warp;
 use crate::map::PlaneMap;
-use crate::plane::{Curve, Domain};
+use crate::plane::{self, Curve};
 use crate::warp::Direction;
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
+use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A body whose outside is mapped.
 #[derive(Debug, Deserialize, Tsify)]
 pub struct BodyOptions {
-    /// The boundary points `[x0, y0, x1, y1, …]`, in either orientation.
-    #[serde(deserialize_with = "options::numbers")]
-    #[tsify(type = "Float64Array")]
-    pub boundary: Vec<f64>,
+    /// The boundary points `[x0, y0, x1, y1, …]`, in either orientation. A boundary is given by this, by `path`, by `edges` or by
+    /// `through`, as that of a region.
+    #[serde(default, deserialize_with = "options::some_numbers")]
+    #[tsify(optional, type = "Float64Array")]
+    pub boundary: Option<Vec<f64>>,
     /// How the boundary points are joined; "polygon" by default.
-    #[serde(default)]
     #[tsify(optional)]
-    pub curve: Curve,
+    pub curve: Option<Curve>,
+    /// The boundary as one closed curve in the language of SVG's paths; but in plane coordinates, y up.
+    #[tsify(optional)]
+    pub path: Option<String>,
+    /// The boundary as a closed chain of edges.
+    #[serde(default, deserialize_with = "options::some_value")]
+    #[tsify(optional, type = "EdgeOptions[]")]
+    pub edges: Option<JsValue>,
+    /// Points `[x0, y0, x1, y1, …]` through which the boundary goes, smoothly but for `corners`.
+    #[serde(default, deserialize_with = "options::some_numbers")]
+    #[tsify(optional, type = "Float64Array")]
+    pub through: Option<Vec<f64>>,
+    /// Indices of the points of `through` that are corners; none by default.
+    #[tsify(optional)]
+    pub corners: Option<Vec<usize>>,
     /// The boundary point that goes to 1; without one, directions far away are kept.
     #[tsify(optional)]
     pub toward: Option<Point>,
@@ -41,9 +56,9 @@ impl ExteriorMap {
     ///
     /// Throws as `new Region()`; "cancelled", "invalid-option", "inaccurate" or "too-few-points".
     pub fn solve(body: Ts<BodyOptions>, options: Option<Ts<RiemannOptions>>) -> Result<Self, Failure> {
-        let BodyOptions { boundary, curve, toward } = options::read(&body)?;
-        let boundary = points::from_flat("The boundary", &boundary)?;
-        let domain = directed(Domain::exterior(&[boundary], curve)?, None, toward)?;
+        let BodyOptions { boundary, curve, path, edges, through, corners, toward } = options::read(&body)?;
+        let drawn = Given { boundary, path, edges, through, corners }.drawn("A body", plane::parse_path)?;
+        let domain = directed(domain_of(vec![drawn], false, curve)?, None, toward)?;
         let (options, mut progress) = solve_options(options.as_ref())?;
         let solved = crate::riemann::ExteriorMap::solve(&domain, &options, &mut |stage, fraction| {
             progress.report(stage, fraction)

@@ -121,7 +121,7 @@ impl PotentialFlow {
             "potentials" => FlowLines::Potentials,
             _ => return Err(Failure::option("what", "what must be \"streamlines\" or \"potentials\".")),
         };
-        Ok(self.0.level_lines(what, levels, level_lines::window(&frame)?).into())
+        Ok(self.0.level_lines(what, level_lines::finite(levels)?, level_lines::window(&frame)?).into())
     }
 
     /// The points off the bodies in a frame where the fluid rests.

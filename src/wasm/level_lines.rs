@@ -67,6 +67,19 @@ impl From<Vec<LevelLine>> for LevelLines {
     }
 }
 
+/// Values of a function that lines can have.
+///
+/// # Errors
+/// "invalid-option" for one that is not finite.
+pub fn finite(levels: &[f64]) -> Result<&[f64], Failure> {
+    let Some(k) = levels.iter().position(|level| !level.is_finite()) else { return Ok(levels) };
+    let name = format!("levels[{k}]");
+    Err(Failure::option(
+        &name,
+        &format!("The option \"{name}\" cannot be used: a level is a finite number, not {}.", levels[k]),
+    ))
+}
+
 /// The lower left and the upper right corner of a frame.
 ///
 /// # Errors

@@ -134,6 +134,10 @@ impl JointTriangulation {
             [points::from_flat("The source nodes", source)?, points::from_flat("The target nodes", target)?];
         let triangles = points::triples_from_flat("The triangles", triangles)?;
         let mesh = mesh::JointTriangulation::from_parts(source, target, triangles)?;
+        if let Some(k) = magnification.iter().flatten().position(|factor| factor.is_nan() || *factor <= 0.0) {
+            let reason = format!("magnification {k} is not a positive number");
+            return Err(crate::Error::InvalidMesh { reason }.into());
+        }
         Ok(Self(match magnification {
             Some(exact) => mesh.with_magnification(&exact)?,
             None => mesh,

@@ -4,7 +4,7 @@
 //! What the classes share: [`error`] (an error → `Error` with a `code`), [`options`] (plain objects → Rust structs,
 //! with errors in words), [`points`] (`Float64Array` ↔ complex numbers), [`progress`] (the caller's `onProgress`),
 //! [`memory`] (room made at once), [`warp`] (the methods `warp` and `paint`), [`prepared`] (the method `prepareWarp`),
-//! [`overlay`] (the method `overlay`), [`level_lines`] (lines of maps, fields and flows).
+//! [`overlay`] (the method `overlay`), [`drawn`] (the ways to give a boundary), [`level_lines`] (lines of maps, fields and flows).
 
 #[cfg(feature = "regions")]
 pub mod annulus;
@@ -14,6 +14,8 @@ pub mod canonical;
 pub mod circles;
 #[cfg(feature = "regions")]
 pub mod cortex;
+#[cfg(feature = "regions")]
+mod drawn;
 #[cfg(feature = "regions")]
 pub mod electrostatics;
 pub mod error;

@@ -1,15 +1,16 @@
 //! `Region` in JavaScript.
 
+use super::drawn::{Drawn, Given, directed, domain_of, not_with_edges, outlines};
 use super::error::Failure;
 use super::options::{self, Point};
 use super::points;
 use crate::Error;
-use crate::plane::{self, Complex64, Curve, Domain, Edge, EllipticArc, NOWHERE};
-use js_sys::{Array, Float64Array, Reflect};
+use crate::plane::{self, Complex64, Curve, Domain, NOWHERE};
+use js_sys::{Array, Float64Array};
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
+use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
-use wasm_bindgen::{JsCast, JsValue};
 
 /// What makes a region.
 #[derive(Debug, Deserialize, Tsify)]
@@ -162,26 +163,11 @@ impl Region {
             given(center, "center")?;
             given(toward, "toward")?;
         }
-        if corners.is_some() && through.is_none() {
-            return Err(Failure::option("corners", "The option \"corners\" goes with \"through\" alone."));
-        }
-        let drawn = match (boundary, path, edges, through) {
-            (Some(boundary), None, None, None) => Drawn::Points(points::from_flat("The boundary", &boundary)?),
-            (None, Some(path), None, None) => {
-                let plane::Shape { outline, holes: inner } = plane::parse_path_with_holes(&path)?;
-                holes.splice(..0, inner.into_iter().map(Drawn::Edges));
-                Drawn::Edges(outline)
-            }
-            (None, None, Some(edges), None) => Drawn::Edges(edges_of(&edges)?),
-            (None, None, None, Some(through)) => {
-                let points = points::from_flat("The points", &through)?;
-                Drawn::Edges(plane::spline(&points, &corners.unwrap_or_default())?)
-            }
-            _ => {
-                let message = "A region needs its boundary in one of the options \"boundary\", \"path\", \"edges\" and \"through\".";
-                return Err(Failure::option("boundary", message));
-            }
-        };
+        let drawn = Given { boundary, path, edges, through, corners }.drawn("A region", |path| {
+            let plane::Shape { outline, holes: inner } = plane::parse_path_with_holes(path)?;
+            holes.splice(..0, inner.into_iter().map(Drawn::Edges));
+            Ok(outline)
+        })?;
         if holes.is_empty() {
             let (center, toward) = (given(center, "center")?.into(), given(toward, "toward")?.into());
             return Ok(Self(Kind::Simple(match drawn {
@@ -320,116 +306,5 @@ impl Region {
             Kind::Simple(region) => Domain::from(region),
             Kind::Domain(domain) => domain.clone(),
         }
-    }
-}
-
-enum Drawn {
-    Points(Vec<Complex64>),
-    Edges(Vec<Edge>),
-}
-
-fn not_with_edges(option: &str) -> Failure {
-    let message = format!("The option \"{option}\" goes with \"boundary\" alone.");
-    Failure::option(option, &message)
-}
-
-/// The edges as options hold them: `EdgeOptions[]`.
-///
-/// # Errors
-/// "invalid-option" for one that is none or several of a line, an arc and a Bézier curve.
-fn edges_of(edges: &JsValue) -> Result<Vec<Edge>, Failure> {
-    Array::from(edges).iter().enumerate().map(|(k, edge)| edge_of(k, &edge)).collect()
-}
-
-fn edge_of(k: usize, edge: &JsValue) -> Result<Edge, Failure> {
-    let [line, arc, bezier] = ["line", "arc", "bezier"].map(|kind| property(edge, kind));
-    let reason = match (&points_of(&line)[..], arc.is_undefined(), &points_of(&bezier)[..]) {
-        (&[from, to], true, []) => return Ok(Edge::line(from, to)),
-        ([], false, []) => return Ok(arc_of(&arc)),
-        ([], true, &[a, b, c]) => return Ok(Edge::Quadratic([a, b, c])),
-        ([], true, &[a, b, c, d]) => return Ok(Edge::Cubic([a, b, c, d])),
-        ([], true, [_, ..]) => "a Bézier curve has 3 or 4 control points",
-        _ => "an edge is one of line, arc and bezier",
-    };
-    let name = format!("edges[{k}]");
-    Err(Failure::option(&name, &format!("The option \"{name}\" cannot be used: {reason}.")))
-}
-
-fn arc_of(arc: &JsValue) -> Edge {
-    let number = |name: &str| property(arc, name).as_f64();
-    let [center, radii] = ["center", "radii"].map(|name| point_of(&property(arc, name)));
-    let turn = Complex64::cis(number("rotation").unwrap_or(0.0));
-    let (cosine, sine) = (turn * radii.re, turn * Complex64::new(0.0, radii.im));
-    let [start, sweep] = ["start", "sweep"].map(|name| number(name).unwrap_or(f64::NAN));
-    Edge::Arc(EllipticArc::new(center, cosine, sine, start, sweep))
-}
-
-fn property(object: &JsValue, name: &str) -> JsValue {
-    Reflect::get(object, &name.into()).unwrap_or(JsValue::UNDEFINED)
-}
-
-fn points_of(value: &JsValue) -> Vec<Complex64> {
-    if value.is_undefined() { Vec::new() } else { Array::from(value).iter().map(|point| point_of(&point)).collect() }
-}
-
-/// A point, not a finite one if it is anything else.
-fn point_of(value: &JsValue) -> Complex64 {
-    let [x, y] = [0, 1].map(|k| Reflect::get_u32(value, k).ok().and_then(|x| x.as_f64()).unwrap_or(f64::NAN));
-    Complex64::new(x, y)
-}
-
-/// The outlines of holes.
-///
-/// # Errors
-/// [`Error::WrongLength`] for an odd count of numbers; "invalid-option" for what is no outline, and what is wrong with a path.
-fn outlines(holes: Option<JsValue>) -> Result<Vec<Drawn>, Failure> {
-    let outline = |hole: JsValue| {
-        if let Some(path) = hole.as_string() {
-            return Ok(Drawn::Edges(plane::parse_path(&path)?));
-        }
-        match hole.dyn_ref::<Float64Array>() {
-            Some(array) => Ok(Drawn::Points(points::from_flat("A hole", &array.to_vec())?)),
-            None if Array::is_array(&hole) => Ok(Drawn::Edges(edges_of(&hole)?)),
-            None => Err(Failure::option("holes", "A hole is a Float64Array, a path or an array of edges.")),
-        }
-    };
-    holes.map_or_else(Array::new, |holes| Array::from(&holes)).iter().map(outline).collect()
-}
-
-/// The region that outlines bound, `bounded` telling whether the first is around it.
-///
-/// # Errors
-/// Those of [`Domain::new`] and [`Domain::from_edges`]; "invalid-option" for a `curve` beside edges.
-fn domain_of(outlines: Vec<Drawn>, bounded: bool, curve: Option<Curve>) -> Result<Domain, Failure> {
-    let points = |outline: &Drawn| if let Drawn::Points(points) = outline { Some(points.clone()) } else { None };
-    if let Some(all) = outlines.iter().map(points).collect::<Option<Vec<_>>>() {
-        let curve = curve.unwrap_or_default();
-        return Ok(if bounded { Domain::new(&all[0], &all[1..], curve)? } else { Domain::exterior(&all, curve)? });
-    }
-    if curve.is_some() {
-        return Err(not_with_edges("curve"));
-    }
-    let edges = |outline| match outline {
-        Drawn::Edges(edges) => edges,
-        Drawn::Points(points) => {
-            (0..points.len()).map(|k| Edge::line(points[k], points[(k + 1) % points.len()])).collect()
-        }
-    };
-    let all: Vec<Vec<Edge>> = outlines.into_iter().map(edges).collect();
-    Ok(if bounded { Domain::from_edges(&all[0], &all[1..])? } else { Domain::exterior_of_edges(&all)? })
-}
-
-/// The domain with the points that give maps their place and direction.
-///
-/// # Errors
-/// Those of [`Domain::with_center`] and [`Domain::with_toward`].
-pub fn directed(domain: Domain, center: Option<Point>, toward: Option<Point>) -> Result<Domain, Error> {
-    let domain = match center {
-        Some(center) => domain.with_center(center.into())?,
-        None => domain,
-    };
-    match toward {
-        Some(toward) => domain.with_toward(toward.into()),
-        None => Ok(domain),
     }
 }

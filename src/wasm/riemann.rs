@@ -28,7 +28,7 @@ pub struct RiemannOptions {
     /// The largest number of unknowns.
     #[tsify(optional)]
     pub max_unknowns: Option<usize>,
-    /// Most centers, 64 by default, whose maps are solved and linked so that the far ends of long regions stay apart.
+    /// Most centers, 1 to 64, 64 by default, whose maps are solved and linked so that the far ends of long regions stay apart.
     #[tsify(optional)]
     pub max_charts: Option<usize>,
     /// Told the stage and the fraction of it that is done; `false` cancels, and the solve throws "cancelled".

@@ -61,6 +61,14 @@ impl SlitMap {
         options: Option<Ts<RiemannOptions>>,
     ) -> Result<Self, Failure> {
         let SlitOptions { kind, angle, hole, pole } = options::read(&slits)?;
+        let strangers = [
+            ("angle", angle.is_some(), matches!(kind, SlitRegion::Parallel), "parallel"),
+            ("hole", hole.is_some(), matches!(kind, SlitRegion::Annulus), "annulus"),
+            ("pole", pole.is_some(), matches!(kind, SlitRegion::Radial), "radial"),
+        ];
+        if let Some((name, .., of)) = strangers.iter().find(|(_, is_given, is_its, _)| *is_given && !is_its) {
+            return Err(Failure::option(name, &format!("The option \"{name}\" goes with the kind \"{of}\" alone.")));
+        }
         let angle = angle.unwrap_or(0.0);
         if !angle.is_finite() {
             return Err(Error::InvalidOption { name: "angle", expected: "a number of radians", value: angle }.into());

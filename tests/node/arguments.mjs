@@ -247,6 +247,37 @@ test("what fits the types but cannot be", () => {
     "an onProgress that cannot cancel": () => RiemannMap.solve(fine.objects.Region, { onProgress: /** @type {any} */ (async () => false) }),
     "a canvas where there is none": () => formula.paint(fine.context, texture, options),
     "a canvas where there is none, prepared": () => fine.objects.PreparedWarp.paint(fine.context, texture),
+    "circles of negative radius": () => fine.objects.AnnulusMap.levelLines("circles", new Float64Array([0.8, -1])),
+    "a ray at no angle": () => fine.objects.AnnulusMap.levelLines("rays", new Float64Array([NaN])),
+    "endless potentials": () => fine.objects.Electrostatics.levelLines(new Float64Array([Infinity]), frame),
+    "endless streamlines": () => fine.objects.PotentialFlow.levelLines("streamlines", new Float64Array([NaN]), frame),
+    "a landmark that is none": () => RetinoCorticalMap.modelLandmark({ k: 15, a: 0.7 }, [NaN, 0]),
+    "a landmark in the other half": () => RetinoCorticalMap.modelLandmark({ k: 15, a: 0.7 }, [-5, 0]),
+    "an outline of three vertices": () => RetinoCorticalMap.modelOutline({ k: 15, a: 0.7 }, 3),
+    "a cortex of endless area": () => RetinoCorticalMap.model({ k: 1e200, a: 0.7 }),
+    "a cortex of no area": () => RetinoCorticalMap.model({ k: 1e-200, a: 0.7 }),
+    "a cortex without a middle": () => RetinoCorticalMap.model({ k: 15, a: 1e300 }),
+    "no points in a text": () => Region.parseOutline("[]"),
+    "one point in a text": () => Region.parseOutline("[[1, 2]]"),
+    "a shape of one point": () => Region.parseShape("[[1, 2]]"),
+    "two points of a path": () => Region.parseOutline("M0 0L1 1Z"),
+    "pixels too small for numbers": () => JointTriangulation.regionToDisk(map, { frame: { ...frame, width: 5e-324 } }),
+    "pixels too far for numbers": () => formula.warp(texture, { ...options, view: { ...frame, width: 1.7e308, center: [1e308, 0] } }),
+    "an inherited key": () => RiemannMap.solve(fine.objects.Region, Object.create({ tolerence: 1e-3 })),
+    "revoked options": () => RiemannMap.solve(fine.objects.Region, revoked({})),
+    "revoked points": () => map.toDisk(revoked([])),
+    "a revoked region": () => RiemannMap.solve(revoked(fine.objects.Region)),
+    "free of what is frozen": () => Object.freeze(new FormulaMap("z")).free(),
+    "a class that is told": () => RiemannMap.solve(fine.objects.Region, { onProgress: /** @type {any} */ (class {}) }),
+    "a pole of another kind of slits": () => SlitMap.solve(fine.ring, { kind: "annulus", pole: [0.7, 0] }),
+    "a hole of another kind of slits": () => SlitMap.solve(fine.ring, { kind: "parallel", hole: 0 }),
+    "a pole at the center": () => SlitMap.solve(ringAround([0.75, 0]), { kind: "radial", pole: [0.75, 0] }),
+    "a pole that is none": () => SlitMap.solve(ringAround([0.75, 0]), { kind: "radial", pole: [NaN, 0] }),
+    "no center to solve from": () => RiemannMap.solve(fine.objects.Region, { maxCharts: 0 }),
+    "an arc of negative radius": () => new Region({ edges: [{ arc: { center: [0, 0], radii: [-1, 1], start: 0, sweep: 2 * Math.PI } }], center: [0, 0], toward: [1, 0] }),
+    "a magnification that is none": () => JointTriangulation.fromParts(corners, corners, new Uint32Array([0, 1, 2, 0, 2, 3]), new Float64Array([NaN, 1, 1, 1])),
+    "a body given twice": () => ExteriorMap.solve({ boundary: corners, path: "M0 0H1V1Z" }),
+    "a body without boundary": () => ExteriorMap.solve({}),
     "a stack with a bad frame": () => FoveatedTexture.of(texture, { ...frame, width: 0 }),
   };
   const failures = Object.entries(cases).flatMap(([name, call]) => improper(name, call) ?? []);
@@ -254,6 +285,18 @@ test("what fits the types but cannot be", () => {
   assert.deepEqual(texture.size, [8, 8], "a texture that was refused is still there");
   assert.equal(formula.warp(texture, options).length, 4 * 64, "the module works on");
 });
+
+/** @template T @param {T} value @returns {T} */
+function revoked(value) {
+  const { proxy, revoke } = Proxy.revocable(/** @type {any} */ (value), {});
+  revoke();
+  return proxy;
+}
+
+const corners = new Float64Array([-1, -1, 1, -1, 1, 1, -1, 1]);
+
+/** @param {[number, number]} center */
+const ringAround = (center) => new Region({ boundary: corners, holes: [corners.map((x) => x / 2)], center });
 
 function detached() {
   const points = new Float64Array(2);

@@ -109,6 +109,11 @@ test("a signal aborts, and progress is told", async () => {
   const stages = new Set();
   await pool.RiemannMap.solve(region, { onProgress: (stage) => void stages.add(stage) }).ready;
   assert.ok(stages.size > 0);
+  const prepared = pool.RiemannMap.solve(region);
+  stages.clear();
+  await prepared.prepare((stage) => void stages.add(stage));
+  assert.ok(stages.size > 0, "what is prepared tells how far it is");
+  await assert.rejects(pool.RiemannMap.solve(region).prepare(() => { throw new Error("mine"); }), /mine/);
   const controller = new AbortController();
   const map = pool.RiemannMap.solve(region, { tolerance: 1e-12, signal: controller.signal });
   controller.abort(new Error("no more"));

@@ -106,8 +106,6 @@ pub struct Atlas {
 const UNKNOWNS: usize = 100_000;
 /// and this times those of the first, so that large regions do not run out of memory over their small bays.
 const UNKNOWNS_PER_FIRST: usize = 4;
-/// More centers than any region needs that double precision can describe.
-const MAX_CHARTS: usize = 64;
 /// Disk → region, another chart takes over where it stretches by this much more; well beyond the middle between two centers.
 const TAKE_OVER: f64 = 40.0;
 /// Region → disk, a neighbouring chart serves better where it stretches by this much more.
@@ -142,7 +140,7 @@ impl Atlas {
         let near = &self.charts[parent];
         let unknowns: usize = self.charts.iter().map(|chart| chart.measure.masses.len()).sum();
         let affordable = UNKNOWNS + UNKNOWNS_PER_FIRST * first.masses.len();
-        if self.charts.len() >= self.options.max_charts.min(MAX_CHARTS) || unknowns >= affordable {
+        if self.charts.len() >= self.options.max_charts || unknowns >= affordable {
             return false;
         }
         let Ok(Some((measure, series))) = solve_far(first, &near.measure, center, &self.options, progress) else {

@@ -104,11 +104,15 @@ impl AnnulusMap {
         places(points, |w| self.place(w))
     }
 
-    /// Lines of the region that go to circles and rays of the ring.
+    /// Lines of the region that go to circles of these radii, or rays at these angles, of the ring. A circle that does not lie in
+    /// the ring has none.
     #[must_use]
     pub fn level_lines(&self, what: RingLines, levels: &[f64]) -> Vec<LevelLine> {
         let line = |&level: &f64| {
             let closed = what == RingLines::Circles;
+            if closed && level <= 0.0 {
+                return None;
+            }
             let at = |t: f64| match what {
                 RingLines::Circles => self.place(Complex64::from_polar(level, TAU * t)),
                 RingLines::Rays => self.place(Complex64::from_polar((self.log_inner_radius * t).exp(), level)),

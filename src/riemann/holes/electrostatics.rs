@@ -164,6 +164,9 @@ impl Electrostatics {
         let function = Function { field: &self.field, factor: Complex64::from(1.0 / TAU), shift: Complex64::ZERO };
         let largest = self.charges.iter().fold(0.0, |most: f64, charge| most.max(charge.abs()));
         let mut lines = Vec::new();
+        if largest <= self.rounding_of_charges() {
+            return lines;
+        }
         for (component, charge) in self.charges.iter().enumerate() {
             let own = (count as f64 * charge / largest).round();
             // None of what is negative or NaN.
@@ -173,6 +176,13 @@ impl Electrostatics {
             }
         }
         lines
+    }
+
+    /// What charges are by rounding alone: those of equal potentials, which no field lies between.
+    fn rounding_of_charges(&self) -> f64 {
+        let terms =
+            self.capacitance.iter().flat_map(|row| row.iter().zip(&self.potentials).map(|(c, v)| (c * v).abs()));
+        1e3 * f64::EPSILON * terms.fold(0.0, f64::max)
     }
 
     /// Places of a wall between which the same flux leaves it.

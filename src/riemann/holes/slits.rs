@@ -171,6 +171,12 @@ fn problem_of(domain: &Domain, kind: SlitKind) -> Result<Box<dyn Fn(Scale) -> Pr
         }
         SlitKind::Radial { pole } => {
             let Some(center) = domain.center() else { return wrong("a center", "none".to_string()) };
+            if !pole.is_finite() {
+                return Err(Error::NotFinite { what: "The pole".to_string() });
+            }
+            if pole == center {
+                return wrong("a pole that is not the center", "one point for both".to_string());
+            }
             domain.clone().with_center(pole)?;
             Ok(Box::new(move |scale| Problem {
                 source: Source::Vortices(scale.scaled(center), scale.scaled(pole)),
