@@ -221,7 +221,7 @@ impl Contour {
         match &self.shape {
             Shape::Straight => self.polygon.contains_strictly(z),
             Shape::Smooth(curve) => curve.signed_distance(z) > 1e-12 * self.polygon.size(),
-            Shape::Curved(outline) => outline.signed_distance(z) > self.thickness,
+            Shape::Curved(outline) => outline.is_deeper(z, self.thickness),
         }
     }
 
@@ -232,7 +232,7 @@ impl Contour {
                 self.polygon.contains_strictly(z) && self.polygon.nearest_within(z, self.thickness).is_none()
             }
             Shape::Smooth(curve) => curve.signed_distance(z) > self.thickness,
-            Shape::Curved(outline) => outline.signed_distance(z) > self.thickness,
+            Shape::Curved(outline) => outline.is_deeper(z, self.thickness),
         }
     }
 }

@@ -14,6 +14,7 @@ pub struct CurvedOutline {
     /// Interior angle where each edge starts, divided by π, in [0, 2).
     alpha: Vec<f64>,
     size: f64,
+    thickness: f64,
     /// Of the chain without the tips of its horns.
     pieces: EdgePieces,
     horns: Option<CutHorns>,
@@ -74,7 +75,8 @@ impl CurvedOutline {
                 alpha[corner] = 0.0;
             }
         }
-        Ok(Self { edges, alpha, size, pieces, horns })
+        let thickness = thickness_of(pieces.polygon(), size);
+        Ok(Self { edges, alpha, size, thickness, pieces, horns })
     }
 
     /// The edges, counter-clockwise.
@@ -100,7 +102,8 @@ impl CurvedOutline {
     pub fn moved(&self, by: Complex64) -> Self {
         let edges = self.edges.iter().map(|edge| edge.moved(by)).collect();
         let horns = self.horns.as_ref().map(|horns| horns.moved(by));
-        Self { edges, pieces: self.pieces.moved(by), horns, ..self.clone() }
+        let pieces = self.pieces.moved(by);
+        Self { edges, thickness: thickness_of(pieces.polygon(), self.size), pieces, horns, ..self.clone() }
     }
 
     /// A corner of interior angle 0, if it has one.
@@ -145,6 +148,12 @@ impl CurvedOutline {
         self.pieces.contains(z) || self.on_edge(z).is_some()
     }
 
+    /// Whether `z` lies inside, farther from the edges than this.
+    #[must_use]
+    pub fn is_deeper(&self, z: Complex64, than: f64) -> bool {
+        self.pieces.contains(z) && self.pieces.nearest_within(z, than).is_none()
+    }
+
     /// Distance from the edges, positive inside; negative infinity for NaN.
     #[must_use]
     pub fn signed_distance(&self, z: Complex64) -> f64 {
@@ -162,7 +171,11 @@ impl CurvedOutline {
     /// The point of the edges nearest to `z`: edge and parameter t in [0, 1).
     #[must_use]
     pub fn nearest(&self, z: Complex64) -> BoundaryPoint {
-        let (place, _) = self.pieces.nearest(z);
+        self.of_outline(self.pieces.nearest(z).0)
+    }
+
+    /// A place on the chain that the pieces are of, on the outline.
+    fn of_outline(&self, place: BoundaryPoint) -> BoundaryPoint {
         let Some(horns) = &self.horns else { return place };
         let (edge, t) = horns.outer(place.edge, place.t);
         self.place(edge, t)
@@ -171,23 +184,21 @@ impl CurvedOutline {
     /// The point of the edges that `z` is, up to rounding.
     #[must_use]
     pub fn on_edge(&self, z: Complex64) -> Option<BoundaryPoint> {
-        if self.pieces.nearest(z).1 <= self.thickness() {
-            return Some(self.nearest(z));
+        if let Some((place, _)) = self.pieces.nearest_within(z, self.thickness) {
+            return Some(self.of_outline(place));
         }
         self.in_tip(z).map(|(edge, t)| self.place(edge, t))
     }
 
     /// The edge and parameter that `z` is where a horn is too thin for pieces.
     fn in_tip(&self, z: Complex64) -> Option<(usize, f64)> {
-        self.horns.as_ref()?.in_tip(z, self.thickness())
+        self.horns.as_ref()?.in_tip(z, self.thickness)
     }
 
     /// Points as near to the edges as this are on them, as far as numbers can tell.
     #[must_use]
     pub fn thickness(&self) -> f64 {
-        let (low, high) = self.bounds();
-        let reach = [low.re, low.im, high.re, high.im].into_iter().map(f64::abs).fold(self.size, f64::max);
-        ROUNDING * ON_BOUNDARY * reach
+        self.thickness
     }
 
     /// The point of edge `edge` at its parameter `t`.
@@ -216,6 +227,13 @@ fn straightened(edge: &Edge) -> Edge {
     let goes_on =
         speeds[0] >= 0.0 && speeds[2] >= 0.0 && speeds[1] >= -(speeds[0] * speeds[2]).sqrt() * (1.0 + COLLINEAR);
     if is_straight && goes_on { Edge::line(edge.from(), edge.to()) } else { *edge }
+}
+
+/// How far from a polygon's coordinates, and from the edges that it looks like, rounding may take a point.
+fn thickness_of(polygon: &Polygon, size: f64) -> f64 {
+    let (low, high) = polygon.bounds();
+    let reach = [low.re, low.im, high.re, high.im].into_iter().map(f64::abs).fold(size, f64::max);
+    ROUNDING * ON_BOUNDARY * reach
 }
 
 fn wrong(reason: String) -> Error {

@@ -112,8 +112,16 @@ impl EdgePieces {
 
     /// The point of the chain nearest to `z`, and its distance.
     pub fn nearest(&self, z: Complex64) -> (BoundaryPoint, f64) {
-        let mut best = (f64::INFINITY, 0, 0.0);
-        self.tree.nearest(z, f64::INFINITY, |k| {
+        let start = BoundaryPoint { edge: 0, t: 0.0, point: self.pieces[0].curve.from() };
+        self.nearest_within(z, f64::INFINITY).unwrap_or((start, f64::INFINITY))
+    }
+
+    /// The same, if it is no farther than `most`.
+    pub fn nearest_within(&self, z: Complex64, most: f64) -> Option<(BoundaryPoint, f64)> {
+        // Also what is exactly as far.
+        let most = most.next_up();
+        let mut best = (most, 0, 0.0);
+        self.tree.nearest(z, most * most, |k| {
             let piece = &self.pieces[k];
             let (a, b) = self.polygon.edge(k);
             let reach = (best.0 + piece.sagitta) * (1.0 + 1e-12);
@@ -128,14 +136,17 @@ impl EdgePieces {
             distance * distance
         });
         let (distance, k, s) = best;
+        if distance >= most {
+            return None;
+        }
         let piece = &self.pieces[k];
         let point = piece.curve.point(s);
         let t = piece.span[0] + (piece.span[1] - piece.span[0]) * s;
         if t < 1.0 {
-            return (BoundaryPoint { edge: piece.edge, t, point }, distance);
+            return Some((BoundaryPoint { edge: piece.edge, t, point }, distance));
         }
         let edges = self.pieces[self.pieces.len() - 1].edge + 1;
-        (BoundaryPoint { edge: (piece.edge + 1) % edges, t: 0.0, point }, distance)
+        Some((BoundaryPoint { edge: (piece.edge + 1) % edges, t: 0.0, point }, distance))
     }
 }
 
