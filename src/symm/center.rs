@@ -43,7 +43,7 @@ pub(super) fn moved_measure(previous: &Solution, center: Complex64) -> Vec<f64> 
     let mut moved = Vec::with_capacity(previous.masses.len());
     for (i, mass) in previous.masses.iter().enumerate() {
         let (q, node) = (i / nodes.len(), i % nodes.len());
-        let theta = TAU * previous.correspondence.measure(discretisation, q, 0.5 * (nodes[node] + 1.0));
+        let theta = TAU * previous.correspondence.measure(q, 0.5 * (nodes[node] + 1.0));
         moved.push(mass * (1.0 - w.norm_sqr()) / (Complex64::cis(theta) - w).norm_sqr());
     }
     let total: f64 = moved.iter().sum();

@@ -330,7 +330,7 @@ const LONGEST: f64 = 0.5;
 fn sight(first: &Measure, q: usize, w: Complex64) -> Sight {
     let nodes = &first.discretisation.order.panel.nodes;
     let p = nodes.len();
-    let angle = |tau: f64| TAU * first.correspondence.measure(&first.discretisation, q, tau);
+    let angle = |tau: f64| TAU * first.correspondence.measure(q, tau);
     let kernel = |theta: f64| (1.0 - w.norm_sqr()) / (Complex64::cis(theta) - w).norm_sqr();
     let moved = |(mass, t): (&f64, &f64)| mass * kernel(angle(0.5 * (t + 1.0)));
     let masses: Vec<f64> = first.masses[q * p..][..p].iter().zip(nodes).map(moved).collect();

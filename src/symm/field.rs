@@ -45,7 +45,7 @@ impl Field {
         let panel = &discretisation.panels[q];
         let z = discretisation.boundary.vertices[panel.corner] + panel.direction * panel.distance_at(0.5);
         let (value, _) = self.directly(z, Some(panel.edge));
-        value.im + TAU * self.correspondence.measure(discretisation, q, 0.5)
+        value.im + TAU * self.correspondence.measure(q, 0.5)
     }
 
     fn directly(&self, z: Complex64, on: Option<usize>) -> (Complex64, Complex64) {
@@ -112,7 +112,7 @@ impl Field {
     fn on_panel(&self, q: usize, tau: Complex64) -> Complex64 {
         let discretisation = &self.system.discretisation;
         let component = discretisation.boundary.loop_of(discretisation.panels[q].edge);
-        let measure = self.correspondence.complex_measure(discretisation, q, tau);
+        let measure = self.correspondence.complex_measure(q, tau);
         Complex64::new(-self.constants[component], self.phases[component]) - Complex64::new(0.0, TAU) * measure
     }
 

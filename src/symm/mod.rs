@@ -20,7 +20,7 @@
 //! - `problem` is what is solved for: harmonic measure, or another right-hand side of a region with holes;
 //! - `solve` refines (`refinement`) until the estimate meets the tolerance; `center` moves the center of what is
 //!   solved, and `far_center` moves it far, where most of the `measure` is `known` already;
-//! - `solution` is the answer: `correspondence` on the boundary, `potential` inside, `local_series` there
+//! - `solution` is the answer: `correspondence` on the boundary (a `panel_measure`), `potential` inside, `local_series` there
 //!   as power series.
 //!
 //! `smooth` does all this, more simply, for smooth curves, on a `smooth_system`.
@@ -54,6 +54,7 @@ pub mod options;
 mod order;
 pub(crate) mod panel;
 mod panel_blocks;
+mod panel_measure;
 pub(crate) mod panelled;
 pub(crate) mod potential;
 pub(crate) mod problem;

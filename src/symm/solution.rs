@@ -113,7 +113,7 @@ impl Solution {
         }
         // Measured from an edge that ends at the corner, the region lies clockwise; the branch cut lies outside either way.
         let tau = local.powf(1.0 / panel.exponent);
-        let measure = self.correspondence.complex_measure(discretisation, q, tau);
+        let measure = self.correspondence.complex_measure(q, tau);
         Some((Complex64::i() * TAU * measure).exp())
     }
 }

@@ -191,8 +191,8 @@ impl CurvedField {
     pub fn strength(&self, other: &Self, component: usize, edge: usize) -> f64 {
         let (q, _) = self.measure.place(component, edge, 0.0);
         let taus: Vec<f64> = self.measure.discretisation.node_taus();
-        let density = |field: &Self, tau: f64| field.measure.complex_density(q, tau.into()).re;
-        let measure = |tau: f64| other.measure.complex_measure(q, tau.into()).re;
+        let density = |field: &Self, tau: f64| field.measure.density(q, tau);
+        let measure = |tau: f64| other.measure.measure(q, tau);
         let (start, end) = (measure(0.0), measure(1.0));
         let count = (taus.len() * 3).div_ceil(4);
         let row = |tau: &f64| {

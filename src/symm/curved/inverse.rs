@@ -3,7 +3,7 @@
 
 use super::super::log_moments::bernstein;
 use super::cauchy;
-use super::solution::{Cauchy, CurvedSolution, Map};
+use super::solution::{Cauchy, CurvedSolution, MIDDLE, Map};
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
 
@@ -85,13 +85,13 @@ impl CurvedSolution {
             let size = step.norm();
             if size > 0.0 && size < self.starts[q + 1] - self.starts[q] {
                 let power = panel.exponent * self.discretisation.boundary.arm(panel).power;
-                let real = self.tau_of(q, if panel.outgoing { corner + size } else { corner - size });
+                let real = self.tau_of(q, if panel.outgoing { corner + size } else { corner - size }, MIDDLE);
                 tau = Complex64::from_polar(real, step.arg() / power);
             }
         }
         for _ in 0..20 {
             let sign = if panel.outgoing { 1.0 } else { -1.0 };
-            let newton = (self.complex_measure(q, tau) - measure) / (self.complex_density(q, tau) * sign);
+            let newton = (self.complex_measure(q, tau) - measure) / (self.continued_density(q, tau) * sign);
             if !newton.is_finite() {
                 return None;
             }

@@ -1,12 +1,13 @@
 //! A measure on a boundary of analytic edges: on every panel a polynomial in its corner variable, continued beside it.
 
-use super::super::legendre::{MAX_NODES, complex_integral, complex_sum, legendre};
 use super::super::log_moments::bernstein;
 use super::super::panel::Panel;
+use super::super::panel_measure::{PanelMeasure, Part};
 use super::discretisation::CurvedDiscretisation;
 use super::kernel::CurvedPanel;
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// The measure along the boundary, from vertex 0 of the first component on.
@@ -14,11 +15,15 @@ use std::sync::Arc;
 pub struct CurvedMeasure {
     /// The panels it lives on.
     pub discretisation: Arc<CurvedDiscretisation>,
-    /// Legendre coefficients of dμ/dτ on [0, 1], p a panel.
-    coefficients: Vec<f64>,
-    /// Measure from vertex 0 to where each panel begins, and the whole.
-    pub starts: Vec<f64>,
-    smallest_mass: (f64, usize),
+    along: PanelMeasure,
+}
+
+impl Deref for CurvedMeasure {
+    type Target = PanelMeasure;
+
+    fn deref(&self) -> &PanelMeasure {
+        &self.along
+    }
 }
 
 /// A point beside a panel, or on it.
@@ -63,29 +68,15 @@ impl CurvedMeasure {
         total: f64,
         grows: &dyn Fn(f64) -> f64,
     ) -> Self {
-        let p = discretisation.order.p();
         let gauss = &discretisation.order.panel;
-        let (mut coefficients, mut starts) = (Vec::with_capacity(masses.len()), vec![0.0]);
-        let mut smallest_mass = (f64::INFINITY, 0);
-        for (q, own) in masses.chunks_exact(p).enumerate() {
+        let parts = masses.chunks_exact(gauss.len()).map(|own| {
             let own: Vec<f64> = own.iter().map(|mass| mass / total).collect();
-            let density: Vec<f64> = own.iter().zip(&gauss.weights).map(|(mass, w)| 2.0 * mass / w).collect();
-            for k in 0..p {
-                coefficients.push(gauss.coefficient_row(k).iter().zip(&density).map(|(t, g)| t * g).sum());
-            }
-            let mass: f64 = own.iter().sum();
-            if mass < smallest_mass.0 || mass.is_nan() {
-                smallest_mass = (mass, q);
-            }
-            starts.push(starts[q] + grows(mass));
-        }
-        Self { discretisation, coefficients, starts, smallest_mass }
-    }
-
-    /// The smallest mass of a panel, negative or NaN if the discretisation failed, and that panel.
-    #[must_use]
-    pub fn smallest_mass(&self) -> (f64, usize) {
-        self.smallest_mass
+            let density = own.iter().zip(&gauss.weights).map(|(mass, w)| 2.0 * mass / w).collect();
+            Part { density, mass: own.iter().sum() }
+        });
+        let outgoing = discretisation.panels.iter().map(|curved| curved.panel.outgoing).collect();
+        let along = PanelMeasure::new(gauss, outgoing, parts, grows);
+        Self { discretisation, along }
     }
 
     /// One of the panels.
@@ -116,33 +107,11 @@ impl CurvedMeasure {
         (here.unwrap_or(panels.start), s)
     }
 
-    /// Measure from vertex 0, continued to complex τ of panel `q`: 2π times it is −i log f beside the boundary.
+    /// dμ/dτ, continued; at real τ as it is summed along the panel.
     #[must_use]
     #[inline(never)]
-    pub fn complex_measure(&self, q: usize, tau: Complex64) -> Complex64 {
-        let coefficients = self.coefficients(q);
-        let sum = complex_integral(coefficients, 2.0 * tau - 1.0);
-        if self.panel(q).outgoing { self.starts[q] + 0.5 * sum } else { self.starts[q + 1] - 0.5 * sum }
-    }
-
-    /// dμ/dτ, continued.
-    #[must_use]
-    #[inline(never)]
-    pub fn complex_density(&self, q: usize, tau: Complex64) -> Complex64 {
-        let coefficients = self.coefficients(q);
-        if tau.im == 0.0 {
-            let mut values = [0.0; MAX_NODES];
-            legendre(2.0 * tau.re - 1.0, &mut values[..coefficients.len()]);
-            return values.iter().zip(coefficients).map(|(v, c)| v * c).sum::<f64>().into();
-        }
-        complex_sum(coefficients, 2.0 * tau - 1.0)
-    }
-
-    /// Legendre coefficients of dμ/dτ on panel `q`.
-    #[must_use]
-    pub fn coefficients(&self, q: usize) -> &[f64] {
-        let p = self.discretisation.order.p();
-        &self.coefficients[q * p..][..p]
+    pub fn continued_density(&self, q: usize, tau: Complex64) -> Complex64 {
+        if tau.im == 0.0 { self.density(q, tau.re).into() } else { self.complex_density(q, tau) }
     }
 
     /// Derivative of the complex measure by z.
@@ -155,7 +124,7 @@ impl CurvedMeasure {
         } else {
             tau / (panel.exponent * (s - panel.start))
         };
-        let along = self.complex_density(q, tau) * by_s * if panel.outgoing { 1.0 } else { -1.0 };
+        let along = self.continued_density(q, tau) * by_s * if panel.outgoing { 1.0 } else { -1.0 };
         along / self.discretisation.boundary.arm(panel).curve.tangent(s)
     }
 
@@ -194,13 +163,13 @@ impl CurvedMeasure {
         best
     }
 
-    /// [`CurvedMeasure::complex_measure`] at the parameter s of the arm of panel `q`, and its derivative by z; at a corner itself that
+    /// [`PanelMeasure::measure`] at the parameter s of the arm of panel `q`, and its derivative by z; at a corner itself that
     /// is 0, infinite or none: it is told a little beside it.
     #[must_use]
     #[inline(never)]
     pub fn at(&self, q: usize, s: f64) -> (f64, Complex64) {
         let (panel, beside) = (self.panel(q), s.max(BESIDE));
-        let measure = self.complex_measure(q, panel.tau_at(s).into()).re;
+        let measure = self.measure(q, panel.tau_at(s));
         (measure, self.measure_slope(q, beside.into(), panel.tau_at(beside).into()))
     }
 

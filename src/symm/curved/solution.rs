@@ -45,6 +45,8 @@ const WORST_ESTIMATE: f64 = 1.0;
 const WHOLE: f64 = 1e-12;
 /// or to this share of the estimate.
 const WHOLE_SHARE: f64 = 0.01;
+/// Where a measure is looked for first on a panel.
+pub(super) const MIDDLE: f64 = 0.5;
 
 impl Deref for CurvedSolution {
     type Target = CurvedMeasure;
@@ -164,7 +166,7 @@ impl CurvedSolution {
     #[must_use]
     pub fn measure_at(&self, edge: usize, t: f64) -> f64 {
         let (q, s) = self.place(0, edge, t);
-        self.complex_measure(q, self.panel(q).tau_at(s).into()).re
+        self.measure(q, self.panel(q).tau_at(s))
     }
 
     /// The image of a boundary point, and f' there (scaled units).
@@ -188,34 +190,8 @@ impl CurvedSolution {
     /// Measure → panel and τ.
     pub(super) fn locate_on_panel(&self, measure: f64) -> (usize, f64) {
         let measure = measure.rem_euclid(1.0);
-        let q = (self.starts.partition_point(|&start| start <= measure).max(1) - 1).min(self.starts.len() - 2);
-        (q, self.tau_of(q, measure))
-    }
-
-    /// Where a measure is reached on panel `q`, by Newton's method inside a bracket.
-    pub(super) fn tau_of(&self, q: usize, measure: f64) -> f64 {
-        if self.starts[q + 1] == self.starts[q] {
-            return 0.5;
-        }
-        let outgoing = self.panel(q).outgoing;
-        let (mut low, mut high) = (0.0, 1.0);
-        let mut tau = 0.5;
-        for _ in 0..80 {
-            let miss = self.complex_measure(q, tau.into()).re - measure;
-            if (miss > 0.0) == outgoing {
-                high = tau;
-            } else {
-                low = tau;
-            }
-            let density = self.complex_density(q, tau.into()).re * if outgoing { 1.0 } else { -1.0 };
-            let newton = tau - miss / density;
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            if (next - tau).abs() <= 2.0 * f64::EPSILON * tau.abs() {
-                return next;
-            }
-            tau = next;
-        }
-        tau
+        let q = self.panel_of(measure);
+        (q, self.tau_of(q, measure, MIDDLE))
     }
 
     /// (∫ log(z − y) dμ, ∫ dμ/(z − y), turns of the boundary around z) at a point off the boundary (scaled units); the
@@ -295,8 +271,8 @@ impl CurvedSolution {
 impl Sampled for CurvedSolution {
     fn sample(&self, q: usize, tau: f64, dtau: f64) -> Sample {
         let (_, z, dz) = self.step(q, tau, dtau);
-        let w = Complex64::cis(TAU * self.complex_measure(q, tau.into()).re);
-        Sample { z, w, dz, dw: w * self.complex_density(q, tau.into()).re * dtau }
+        let w = Complex64::cis(TAU * self.measure(q, tau));
+        Sample { z, w, dz, dw: w * self.density(q, tau) * dtau }
     }
 
     fn exponents(&self, q: usize) -> (f64, f64) {
