@@ -42,6 +42,18 @@ impl SolveOptions {
         }
         Ok(())
     }
+
+    /// The `best` number of unknowns for each of some panels, or as many as are allowed.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`] for fewer than the `least`; `expected` says how many these are.
+    pub(super) fn allowed(&self, best: usize, panels: usize, least: usize, expected: &'static str) -> Result<usize> {
+        let each = best.min(self.max_unknowns / panels);
+        if each < least {
+            return Err(Error::InvalidOption { name: "max_unknowns", expected, value: self.max_unknowns as f64 });
+        }
+        Ok(each)
+    }
 }
 
 /// Told the stage and the fraction done of a long computation; returns false to cancel it.

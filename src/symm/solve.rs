@@ -10,8 +10,8 @@ use super::refinement::Refinable;
 use super::rule::Rules;
 use super::solution::{ERROR_PER_RESIDUAL, estimate_of, finish};
 use super::system::{System, SystemEquations, SystemSolution};
+use crate::Result;
 use crate::plane::{Complex64, Domain, Region};
-use crate::{Error, Result};
 use std::sync::Arc;
 
 pub use super::solution::Solution;
@@ -248,13 +248,6 @@ fn order_for(options: &SolveOptions, panels: usize) -> Result<Order> {
         d if d < 11.5 => 12,
         _ => 16,
     };
-    let p = best.min(options.max_unknowns / panels);
-    if p < 2 {
-        return Err(Error::InvalidOption {
-            name: "max_unknowns",
-            expected: "at least two for each panel, of which a vertex needs two or more",
-            value: options.max_unknowns as f64,
-        });
-    }
-    Ok(Order::new(p, (digits + 3.0).min(15.5)))
+    let expected = "at least two for each panel, of which a vertex needs two or more";
+    Ok(Order::new(options.allowed(best, panels, 2, expected)?, (digits + 3.0).min(15.5)))
 }

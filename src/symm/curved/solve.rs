@@ -157,13 +157,5 @@ fn degree_for(options: &SolveOptions, panels: usize) -> Result<usize> {
         d if d < 9.5 => 12,
         _ => 16,
     };
-    let p = best.min(options.max_unknowns / panels);
-    if p < 4 {
-        return Err(Error::InvalidOption {
-            name: "max_unknowns",
-            expected: "at least four for each panel, of which a corner needs two or more",
-            value: options.max_unknowns as f64,
-        });
-    }
-    Ok(p)
+    options.allowed(best, panels, 4, "at least four for each panel, of which a corner needs two or more")
 }
