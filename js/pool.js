@@ -222,17 +222,11 @@ class Pool {
       return member.run({ ...call.task, args: withRows(call.task.args, bands[k], out, under) });
     });
     const parts = await call.untilAborted(Promise.all(drawn));
-    const length = parts.reduce((sum, part) => sum + part.length, 0);
+    const length = lengthOf(parts);
     if (out && out.length !== length) {
       throw failure("wrong-length", `out must have ${length} numbers; it has ${out.length}.`);
     }
-    const whole = out ?? new Uint8ClampedArray(length);
-    let at = 0;
-    for (const part of parts) {
-      whole.set(part, at);
-      at += part.length;
-    }
-    return whole;
+    return joined(parts, out ?? new Uint8ClampedArray(length));
   }
 
   /**
@@ -246,14 +240,7 @@ class Pool {
     const parts = await Promise.all(
       this.members.map((member, k) => member.run({ ...task, args: [points.slice(k * step, (k + 1) * step)] })),
     );
-    const length = parts.reduce((sum, part) => sum + part.length, 0);
-    const whole = new parts[0].constructor(length);
-    let at = 0;
-    for (const part of parts) {
-      whole.set(part, at);
-      at += part.length;
-    }
-    return whole;
+    return joined(parts, new parts[0].constructor(lengthOf(parts)));
   }
 
   /** Every worker prepares its own; the first tells how far it is. @param {Task} task */
@@ -392,4 +379,22 @@ function rowsOf(picture, bands, k) {
   const [first, end] = [bands[0][0], bands[bands.length - 1][1]];
   const [from, to] = bands[k].map((row) => ((row - first) / (end - first)) * picture.length);
   return picture.slice(from, to);
+}
+
+/** @param {ArrayLike<unknown>[]} parts */
+const lengthOf = (parts) => parts.reduce((sum, part) => sum + part.length, 0);
+
+/**
+ * Parts one after the other, put into an array of their length.
+ *
+ * @param {any[]} parts
+ * @param {any} whole
+ */
+function joined(parts, whole) {
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
 }
