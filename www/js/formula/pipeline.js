@@ -206,29 +206,34 @@ async function drawBoth({ map, identity, texture, still, job, begin, dilatation 
   const known = still.copy(key);
   const sourcePixels = known ?? new Uint8ClampedArray(4 * side * side);
   const targetPixels = new Uint8ClampedArray(4 * side * side);
+  /** In the plane that the map is evaluated on: its values as colours, and its lines. @param {Place} place */
+  const drawValues = (place) => {
+    coloured(map, job, place);
+    drawLines(map, job, place);
+  };
+  /** In the plane of its values: their own colours, and straight lines. @param {Place} place */
+  const drawPlain = (place) => {
+    coloured(null, job, place);
+    if (isGrid(lines)) drawLines(identity, job, place);
+  };
   /** What of the texture's plane does not depend on the formula. @param {Place} place */
   const drawStill = (place) => {
-    if (photo) identity.warp(texture, { texture: frame, view: source, quality, out: place.out, rows: place.rows });
-    else if (pulling) coloured(null, job, place);
-    if (pulling && isGrid(lines)) drawLines(identity, job, place);
+    if (photo) identity.warp(texture, { texture: frame, ...place, quality });
+    if (pulling) drawPlain(place);
+  };
+  /** The plane of the image. @param {Place} place */
+  const drawImage = (place) => {
+    if (photo) map.warp(texture, { texture: frame, ...place, direction, quality });
+    if (pulling) drawValues(place);
+    else drawPlain(place);
   };
   if (!known) {
     await inBands(side, true, talk, () => {}, (rows) => drawStill({ view: source, out: rowsOf(sourcePixels, rows, side), rows }));
     still.keep(key, sourcePixels);
   }
   await inBands(side, pulling || !photo, talk, onShare, (rows) => {
-    const [here, there] = [
-      { view: source, out: rowsOf(sourcePixels, rows, side), rows },
-      { view: target, out: rowsOf(targetPixels, rows, side), rows },
-    ];
-    if (photo) map.warp(texture, { texture: frame, view: target, direction, quality, out: there.out, rows });
-    else if (pulling) coloured(map, job, there);
-    else {
-      coloured(map, job, here);
-      coloured(null, job, there);
-    }
-    drawLines(map, job, pulling ? there : here);
-    if (!pulling && isGrid(lines)) drawLines(identity, job, there);
+    if (!pulling) drawValues({ view: source, out: rowsOf(sourcePixels, rows, side), rows });
+    drawImage({ view: target, out: rowsOf(targetPixels, rows, side), rows });
   });
   const warpMs = performance.now() - (side === job.target.pixels[0] ? begin : started);
   /** @type {Result} */
