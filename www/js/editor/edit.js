@@ -17,7 +17,7 @@ import { canRemove, convertEdge, handlesOf, moveCenter, moveHandle, moveToward, 
  * @typedef {{ pointer: number, grip: Point, move: Move, moved: boolean }} Drag
  */
 /** Where a part is taken to; `breaks`: a smooth joint may become a corner. @typedef {(to: Point, breaks: boolean) => Region} Move */
-/** What an element, or a place, is of the region. @typedef {{ part: string | undefined, index: number, handle: import("./region.js").Handle }} Part */
+/** What an element, or a place, is of the region. @typedef {{ part: string | undefined, index: number, handle?: import("./region.js").Handle }} Part */
 
 /** Keys that say what the edge after a point is to be. @type {Record<string, import("./curve.js").Kind>} */
 const KINDS = { l: "line", a: "arc", c: "curve" };
@@ -95,7 +95,7 @@ export class Editor {
     const grip = [taken.anchor[0] - at[0], taken.anchor[1] - at[1]];
     this.#drag = { pointer: event.pointerId, grip, move: taken.move, moved: false };
     if (part === "edge") this.#store.drag(taken.move(this.#plane(at), false));
-    if (part === "handle") /** @type {SVGElement | null} */ (this.#view.handle(index, found.handle))?.focus();
+    if (found.handle) /** @type {SVGElement | null} */ (this.#view.handle(index, found.handle))?.focus();
     else if (part !== "body") this.#focus(part, index);
   }
 
@@ -112,9 +112,9 @@ export class Editor {
     const { region } = this.#store.doc;
     /** @type {[Part, Point][]} */
     const all = [
-      [{ part: "center", index: -1, handle: "bow" }, region.center],
-      [{ part: "toward", index: -1, handle: "bow" }, towardPoint(region)],
-      ...region.boundary.map((p, k) => /** @type {[Part, Point]} */ ([{ part: "vertex", index: k, handle: "bow" }, p])),
+      [{ part: "center", index: -1 }, region.center],
+      [{ part: "toward", index: -1 }, towardPoint(region)],
+      ...region.boundary.map((p, k) => /** @type {[Part, Point]} */ ([{ part: "vertex", index: k }, p])),
       ...this.#view.handles.map(({ edge, handle, at: place }) => /** @type {[Part, Point]} */ ([{ part: "handle", index: edge, handle }, place])),
     ];
     /** @type {Part | null} */
@@ -144,7 +144,7 @@ export class Editor {
       }
       case "handle": {
         const place = handlesOf(region, index).find((one) => one.handle === handle);
-        return place ? { anchor: toPixels(frame, place.at), move: (to, breaks) => moveHandle(region, index, handle, to, breaks) } : null;
+        return place ? { anchor: toPixels(frame, place.at), move: (to, breaks) => moveHandle(region, index, place.handle, to, breaks) } : null;
       }
       case "center":
         return { anchor: toPixels(frame, region.center), move: (to) => moveCenter(region, to) };
@@ -254,6 +254,6 @@ export function partOf(target) {
   const element = target instanceof Element ? /** @type {SVGElement | null} */ (target.closest("[data-part]")) : null;
   const part = element?.dataset.part;
   // The handle in the middle of an edge is taken for the edge.
-  const handle = /** @type {import("./region.js").Handle} */ (element?.dataset.handle ?? "bow");
+  const handle = /** @type {import("./region.js").Handle | undefined} */ (element?.dataset.handle);
   return { part: part === "middle" ? "edge" : part, index: Number(element?.dataset.index ?? -1), handle };
 }

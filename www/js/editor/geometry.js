@@ -242,3 +242,13 @@ export function simplify(line, tolerance) {
   if (worst <= tolerance) return [first, last];
   return [...simplify(line.slice(0, far + 1), tolerance).slice(0, -1), ...simplify(line.slice(far), tolerance)];
 }
+
+/**
+ * The same of a closed line, whose first point stays: cut at the point farthest from it, since its own ends meet and would be one point.
+ * @param {Point[]} line @param {number} tolerance @returns {Point[]}
+ */
+export function simplifyClosed(line, tolerance) {
+  const [start] = line;
+  const far = line.reduce((best, p, k) => (distance(p, start) > distance(line[best], start) ? k : best), 0);
+  return [line.slice(0, far + 1), [...line.slice(far), start]].flatMap((half) => simplify(half, tolerance).slice(0, -1));
+}

@@ -1,6 +1,6 @@
 // Outlines that come as text: GeoJSON, WKT, columns of numbers, airfoils, SVG. All that a text has are read; the largest is taken.
 
-import { area, distance, simplify, sizeOf } from "./geometry.js";
+import { area, distance, simplifyClosed, sizeOf } from "./geometry.js";
 import { placed, polygonOf } from "./outline.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -32,13 +32,22 @@ export function chooseOutline(text, readCurve) {
 /** @param {number} [holes] */
 export const holeWords = (holes) => (holes ? ` ${holes === 1 ? "A hole is" : `${holes} holes are`} left out: regions have none here.` : "");
 
+const [DRAWING, PATH] = ["an SVG drawing", "the data of an SVG path"];
+
+/** What a text is that may draw curves, in words; null for any other. @param {string} text without space around it */
+export function curvesIn(text) {
+  if (text.startsWith("<")) return DRAWING;
+  return /^[Mm]\s*[-+.\d]/.test(text) ? PATH : null;
+}
+
 /** @param {string} text @param {CurveReader} readCurve @returns {Found} */
 function readOutlines(text, readCurve) {
   if (text === "") throw new Error("There is no text.");
-  if (text.startsWith("<")) return { outlines: svgOutlines(text, readCurve), kind: "an SVG drawing" };
+  const kind = curvesIn(text);
+  if (kind === DRAWING) return { outlines: svgOutlines(text, readCurve), kind };
   if (/^[{[]/.test(text)) return jsonOutlines(text, readCurve);
   if (/^(SRID=\d+;\s*)?(MULTI)?(POLYGON|LINESTRING|GEOMETRYCOLLECTION|CURVEPOLYGON)/i.test(text)) return wktOutlines(text);
-  if (/^[Mm]\s*[-+.\d]/.test(text)) return { outlines: pathParts(text).flatMap((part) => curve(part, readCurve)), kind: "the data of an SVG path" };
+  if (kind === PATH) return { outlines: pathParts(text).flatMap((part) => curve(part, readCurve)), kind };
   return columns(text);
 }
 
@@ -261,10 +270,9 @@ function spreads([a, ...others]) {
 /** @param {Point[]} outline */
 function thinned(outline) {
   const size = sizeOf(outline);
-  const far = outline.reduce((best, p, k) => (distance(p, outline[0]) > distance(outline[best], outline[0]) ? k : best), 0);
   let kept = outline;
   for (let slack = FINEST * size; kept === outline ? outline.length > 48 : kept.length > MOST_CORNERS; slack *= 1.5) {
-    kept = [...simplify(outline.slice(0, far + 1), slack).slice(0, -1), ...simplify([...outline.slice(far), outline[0]], slack).slice(0, -1)];
+    kept = simplifyClosed(outline, slack);
   }
   return kept;
 }

@@ -4,7 +4,7 @@ import { toPixels, toPlane } from "../common/frame.js";
 import { undoOrRedo } from "../common/keys.js";
 import { pathData, pixelOf, set, svg } from "../common/svg.js";
 import { fitted } from "./fit.js";
-import { crossingEdges, distance, simplify } from "./geometry.js";
+import { crossingEdges, distance, simplifyClosed } from "./geometry.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -138,7 +138,7 @@ export class Pen {
     const { view, onOutline, onStroke } = this.#paper;
     const pixel = view.frame.width / view.frame.pixels[0];
     const line = withoutHooks(closed(this.#points, SPACING * pixel), HOOK * pixel);
-    const outline = outlineOf(line, SLACK * pixel);
+    const outline = cornersOf(line, SLACK * pixel);
     this.cancel();
     if (outline.length < 3) return;
     if (stroke && onStroke) onStroke(fitted(line, SLACK * pixel, REACH * pixel));
@@ -195,13 +195,9 @@ function closed(line, close) {
 const lengthOf = (line) => line.reduce((sum, p, k) => (k ? sum + distance(p, line[k - 1]) : 0), 0);
 
 /** A drawn line as a closed outline, without the points that add nothing. @param {Point[]} line @param {number} slack */
-function outlineOf(line, slack) {
+function cornersOf(line, slack) {
   if (line.length < 3) return line;
-  const [start] = line;
-  // Cut at the point farthest from the start: the line's own ends meet, and would be the same point.
-  const far = line.reduce((best, p, k) => (distance(p, start) > distance(line[best], start) ? k : best), 0);
-  const outline = [...simplify(line.slice(0, far + 1), slack), ...simplify([...line.slice(far), start], slack).slice(1)];
-  outline.pop();
-  while (outline.length > 3 && distance(outline[outline.length - 1], start) < 2 * slack) outline.pop();
-  return outline;
+  const corners = simplifyClosed(line, slack);
+  while (corners.length > 3 && distance(corners[corners.length - 1], corners[0]) < 2 * slack) corners.pop();
+  return corners;
 }

@@ -2,7 +2,7 @@
 
 import { Region } from "../../pkg/index.js";
 import { unflatten } from "../common/frame.js";
-import { chooseOutline, holeWords } from "./outline-text.js";
+import { chooseOutline, curvesIn, holeWords } from "./outline-text.js";
 import { readPath } from "./path.js";
 
 /** @typedef {import("./outline-text.js").Chosen} Chosen */
@@ -11,12 +11,12 @@ import { readPath } from "./path.js";
 
 /** An outline as it was drawn, curves and all; null where a text draws none, or several. @param {string} text @returns {(Chosen & { curves?: import("./curve.js").Curve[] }) | null} */
 function drawnIn(text) {
-  if (!/^\s*(<|[Mm]\s*[-+.\d])/.test(text)) return null;
+  const kind = curvesIn(text.trim());
+  if (!kind) return null;
   try {
     const { path, holes } = Region.parseShape(text);
     const { boundary, curves } = readPath(path);
     if (!curves) return null;
-    const kind = text.trim().startsWith("<") ? "an SVG drawing" : "the data of an SVG path";
     return { outline: boundary, curves, said: `Read ${kind}, its curves as they are.${holeWords(holes.length)}` };
   } catch {
     return null;
