@@ -103,14 +103,15 @@ impl<'a> Boundary<'a> {
         }
     }
 
-    /// Lengths of its edges, of the chords for a smooth curve; the circle has one edge.
-    fn lengths(self) -> Vec<f64> {
+    /// Lengths of its edges, of the chords for a smooth curve, and by how much those that are curves turn, in radians; the circle has
+    /// one edge.
+    fn lengths_and_turns(self) -> Vec<(f64, f64)> {
         match self {
-            Self::Circle => vec![TAU],
+            Self::Circle => vec![(TAU, 0.0)],
             Self::Straight(polygon) | Self::Smooth(polygon, _) => {
-                (0..polygon.len()).map(|k| polygon.edge(k)).map(|(a, b)| (b - a).norm()).collect()
+                (0..polygon.len()).map(|k| polygon.edge(k)).map(|(a, b)| ((b - a).norm(), 0.0)).collect()
             }
-            Self::Edges(outline) => outline.edges().iter().map(|edge| length_and_turn(edge).0).collect(),
+            Self::Edges(outline) => outline.edges().iter().map(length_and_turn).collect(),
         }
     }
 }
@@ -132,6 +133,8 @@ pub(super) struct Outline<'a> {
     boundary: Boundary<'a>,
     /// Length along the outline before each edge, counted from vertex 0; the last entry is the whole length.
     starts: Vec<f64>,
+    /// By how much each edge turns along its way, if it is a curve: about, in radians.
+    turns: Vec<f64>,
     /// Length from vertex 0 to `toward`.
     offset: f64,
 }
@@ -139,13 +142,14 @@ pub(super) struct Outline<'a> {
 impl<'a> Outline<'a> {
     pub(super) fn new(side: &'a dyn Side) -> Self {
         let boundary = side.contour().map_or(Boundary::Circle, Boundary::of);
-        let mut starts = vec![0.0];
+        let (mut starts, mut turns) = (vec![0.0], Vec::new());
         let mut length = 0.0;
-        for edge in boundary.lengths() {
+        for (edge, turn) in boundary.lengths_and_turns() {
             length += edge;
             starts.push(length);
+            turns.push(turn);
         }
-        let mut outline = Self { boundary, starts, offset: 0.0 };
+        let mut outline = Self { boundary, starts, turns, offset: 0.0 };
         outline.offset = outline.along(side.toward());
         outline
     }
@@ -194,11 +198,7 @@ impl<'a> Outline<'a> {
     /// excluded. With the length of such a piece of an edge that turns, and infinity otherwise: without them, it is no curve.
     pub(super) fn divisions(&self, spacing: f64, turn: f64) -> Vec<(BoundaryPoint, f64)> {
         let mut divisions = Vec::new();
-        for edge in 0..self.starts.len() - 1 {
-            let turns = match self.boundary {
-                Boundary::Edges(outline) => length_and_turn(&outline.edges()[edge]).1,
-                _ => 0.0,
-            };
+        for (edge, &turns) in self.turns.iter().enumerate() {
             let length = self.starts[edge + 1] - self.starts[edge];
             let pieces = (length / spacing).max(turns / turn).ceil().max(1.0) as usize;
             let step = if turns > STRAIGHT { length / pieces as f64 } else { f64::INFINITY };
