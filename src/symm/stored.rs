@@ -22,9 +22,12 @@ use std::sync::Arc;
 /// Edges are covered by their panels up to this share of their length.
 const COVERED: f64 = 1e-9;
 /// Digits of quadrature that an order can have.
-pub(super) const DIGITS: std::ops::RangeInclusive<f64> = 1.0..=16.0;
+const DIGITS: std::ops::RangeInclusive<f64> = 1.0..=16.0;
 /// Every reason why a solve can have ended, by its number.
 const STOPS: [Stop; 5] = [Stop::Tolerance, Stop::MaxUnknowns, Stop::SamePanels, Stop::TooFewPoints, Stop::Stagnation];
+
+const NO_POSSIBLE_WAY: &str = "it is resolved in no possible way";
+pub(super) const OF_ANOTHER_REGION: &str = "its measure is not that of its region";
 
 /// So many points are looked at around a region,
 const AROUND: usize = 24;
@@ -59,30 +62,71 @@ impl SolveOptions {
     }
 }
 
-pub(super) fn store_stop(stop: Stop, to: &mut Writer) {
+fn store_stop(stop: Stop, to: &mut Writer) {
     to.case(STOPS.iter().position(|known| *known == stop).unwrap_or_default() as u8);
 }
 
-pub(super) fn restore_stop(from: &mut Reader) -> Result<Stop> {
+fn restore_stop(from: &mut Reader) -> Result<Stop> {
     let number = from.case()?;
     STOPS.get(usize::from(number)).copied().ok_or(damaged("it ended for no known reason"))
 }
 
 /// A residual or an estimate.
-pub(super) fn restore_error(from: &mut Reader) -> Result<f64> {
+fn restore_error(from: &mut Reader) -> Result<f64> {
     let error = from.number()?;
     if error >= 0.0 { Ok(error) } else { Err(damaged("an estimate in it is negative")) }
+}
+
+/// What a solve on panels says of itself, and how its panels are resolved.
+pub(super) struct Header {
+    pub stop: Stop,
+    pub residual: f64,
+    pub error_estimate: f64,
+    /// Unknowns a panel.
+    pub p: usize,
+    /// Digits that the quadrature keeps.
+    pub digits: f64,
+}
+
+impl Header {
+    pub(super) fn store(&self, to: &mut Writer) {
+        store_stop(self.stop, to);
+        to.number(self.residual);
+        to.number(self.error_estimate);
+        to.case(self.p as u8);
+        to.number(self.digits);
+    }
+
+    pub(super) fn restore(from: &mut Reader) -> Result<Self> {
+        let stop = restore_stop(from)?;
+        let (residual, error_estimate) = (restore_error(from)?, restore_error(from)?);
+        let (p, digits) = (usize::from(from.case()?), from.number()?);
+        if !(2..=MAX_NODES).contains(&p) || !DIGITS.contains(&digits) {
+            return Err(damaged(NO_POSSIBLE_WAY));
+        }
+        Ok(Self { stop, residual, error_estimate, p, digits })
+    }
+}
+
+/// Whether a measure attracts so many points of a circle around `center` as all of it there would, but for a miss: what Symm's equation
+/// says on the boundary holds outside of it too. Of another region, or another center, that is false.
+pub(super) fn is_seen_from(
+    (center, radius): (Complex64, f64),
+    points: usize,
+    miss: f64,
+    potential: &dyn Fn(Complex64) -> f64,
+) -> bool {
+    let at = |k: usize| center + Complex64::from_polar(radius, TAU * k as f64 / points as f64);
+    (0..points).all(|k| (potential(at(k)) - radius.ln()).abs() <= miss)
 }
 
 impl Solution {
     /// Writes what [`Solution::restore`] needs beside the region.
     pub(crate) fn store(&self, to: &mut Writer) {
-        store_stop(self.stop, to);
-        to.number(self.residual);
-        to.number(self.error_estimate);
+        let Self { residual, error_estimate, stop, .. } = *self;
         let discretisation = self.discretisation();
-        to.case(discretisation.order.p() as u8);
-        to.number(discretisation.order.digits);
+        let (p, digits) = (discretisation.order.p(), discretisation.order.digits);
+        Header { stop, residual, error_estimate, p, digits }.store(to);
         for panels in discretisation.panels.chunk_by(|a, b| a.edge == b.edge) {
             let outgoing = panels.iter().take_while(|panel| panel.outgoing).count();
             to.count(outgoing);
@@ -97,12 +141,7 @@ impl Solution {
     /// # Errors
     /// [`Error::Damaged`].
     pub(crate) fn restore(region: &Region, from: &mut Reader) -> Result<Self> {
-        let stop = restore_stop(from)?;
-        let (residual, error_estimate) = (restore_error(from)?, restore_error(from)?);
-        let (p, digits) = (usize::from(from.case()?), from.number()?);
-        if !(2..=MAX_NODES).contains(&p) || !DIGITS.contains(&digits) {
-            return Err(damaged("it is resolved in no possible way"));
-        }
+        let Header { stop, residual, error_estimate, p, digits } = Header::restore(from)?;
         let boundary = Boundary::new(region.polygon());
         let mut panels = Vec::new();
         for edge in 0..boundary.len() {
@@ -118,22 +157,17 @@ impl Solution {
             return Err(damaged("its measure is negative somewhere"));
         }
         if !solution.is_seen_from_center() {
-            return Err(damaged("its measure is not that of its region"));
+            return Err(damaged(OF_ANOTHER_REGION));
         }
         Ok(solution)
     }
 
-    /// Whether the measure attracts points around the region as all of it at the center would: what Symm's equation says on the
-    /// boundary holds outside of it too. Of another region, or another center, that is false.
     fn is_seen_from_center(&self) -> bool {
         let Self { center, error_estimate, .. } = *self;
         let vertices = &self.discretisation().boundary.vertices;
         let radius = AWAY * vertices.iter().map(|v| (v - center).norm()).fold(0.0, f64::max);
-        let misses = |k: usize| {
-            let z = center + Complex64::from_polar(radius, TAU * k as f64 / AROUND as f64);
-            (self.potential.at(self.discretisation(), z).re - radius.ln()).abs()
-        };
-        (0..AROUND).all(|k| misses(k) <= MISSES * error_estimate + ROUNDING)
+        let potential = |z| self.potential.at(self.discretisation(), z).re;
+        is_seen_from((center, radius), AROUND, MISSES * error_estimate + ROUNDING, &potential)
     }
 }
 
@@ -192,7 +226,7 @@ impl SmoothSolution {
         let residual = restore_error(from)?;
         let nodes = from.count(size_of::<f64>())?;
         if !(LEAST_NODES..=MOST_NODES).contains(&nodes) {
-            return Err(damaged("it is resolved in no possible way"));
+            return Err(damaged(NO_POSSIBLE_WAY));
         }
         let masses = from.numbers(nodes)?;
         let samples = Arc::new(Samples::new(vec![Arc::clone(curve)], &[nodes]));

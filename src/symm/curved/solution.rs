@@ -1,6 +1,7 @@
 //! A solved boundary of analytic edges: θ along it, and the map region → disk inside.
 
 use super::super::options::{Progress, Stop};
+use super::super::stored::is_seen_from;
 use super::super::system::System;
 use super::cauchy::{self, CauchyPart, Evaluated, Sample, Sampled};
 use super::discretisation::CurvedDiscretisation;
@@ -117,14 +118,11 @@ impl CurvedSolution {
     /// or another center.
     #[must_use]
     pub fn is_seen_from_center(&self) -> bool {
-        const AROUND: u32 = 16;
+        const AROUND: usize = 16;
         let vertices = &self.discretisation.boundary.vertices;
         let radius = 4.0 + 2.0 * vertices.iter().map(|v| (v - self.center).norm()).fold(0.0, f64::max);
-        let misses = |k: u32| {
-            let z = self.center + Complex64::from_polar(radius, TAU * f64::from(k) / f64::from(AROUND));
-            (self.potential(z).0.re - radius.ln()).abs()
-        };
-        (0..AROUND).all(|k| misses(k) <= 10.0 * self.error_estimate + 1e-12)
+        let miss = 10.0 * self.error_estimate + 1e-12;
+        is_seen_from((self.center, radius), AROUND, miss, &|z| self.potential(z).0.re)
     }
 
     /// Plane units × unit = scaled units.

@@ -1,10 +1,9 @@
 //! Solutions on curved edges as bytes: panels and masses; everything else follows from the region.
 
-use super::super::legendre::MAX_NODES;
 use super::super::order::Order;
 use super::super::panel::Panel;
 use super::super::rule::Rules;
-use super::super::stored::{DIGITS, damaged, restore_error, restore_stop, store_stop};
+use super::super::stored::{Header, OF_ANOTHER_REGION, damaged};
 use super::boundary::CurvedBoundary;
 use super::discretisation::CurvedDiscretisation;
 use super::solution::CurvedSolution;
@@ -16,12 +15,10 @@ use std::sync::Arc;
 impl CurvedSolution {
     /// Writes what [`CurvedSolution::restore`] needs beside the region.
     pub(crate) fn store(&self, to: &mut Writer) {
-        store_stop(self.stop, to);
-        to.number(self.residual);
-        to.number(self.error_estimate);
+        let Self { residual, error_estimate, stop, .. } = *self;
         let discretisation = &self.discretisation;
-        to.case(discretisation.order.p() as u8);
-        to.number(discretisation.order.digits);
+        let (p, digits) = (discretisation.order.p(), discretisation.order.digits);
+        Header { stop, residual, error_estimate, p, digits }.store(to);
         for arm in
             discretisation.panels.chunk_by(|a, b| CurvedBoundary::arm_of(&a.panel) == CurvedBoundary::arm_of(&b.panel))
         {
@@ -36,12 +33,7 @@ impl CurvedSolution {
     /// # Errors
     /// [`Error::Damaged`](crate::Error::Damaged), [`Error::NegativeMass`](crate::Error::NegativeMass).
     pub(crate) fn restore(outline: &CurvedOutline, center: Complex64, from: &mut Reader) -> Result<Self> {
-        let stop = restore_stop(from)?;
-        let (residual, error_estimate) = (restore_error(from)?, restore_error(from)?);
-        let (p, digits) = (usize::from(from.case()?), from.number()?);
-        if !(2..=MAX_NODES).contains(&p) || !DIGITS.contains(&digits) {
-            return Err(damaged("it is resolved in no possible way"));
-        }
+        let Header { stop, residual, error_estimate, p, digits } = Header::restore(from)?;
         let boundary = Arc::new(CurvedBoundary::new(outline, digits));
         let mut panels = Vec::new();
         for arm in 0..boundary.arms.len() {
@@ -51,11 +43,7 @@ impl CurvedSolution {
         let center = center * boundary.unit;
         let discretisation = CurvedDiscretisation::new(boundary, &panels, &mut Rules::new(Order::new(p, digits)));
         let solution = Self::new(Arc::new(discretisation), center, masses, residual, error_estimate, stop).checked()?;
-        if solution.is_seen_from_center() {
-            Ok(solution)
-        } else {
-            Err(damaged("its measure is not that of its region"))
-        }
+        if solution.is_seen_from_center() { Ok(solution) } else { Err(damaged(OF_ANOTHER_REGION)) }
     }
 }
 
