@@ -1,7 +1,8 @@
 //! Affine maps of the plane, which take edges to edges.
 
 use super::Complex64;
-use super::edge::{Edge, EllipticArc};
+use super::edge::Edge;
+use super::elliptic_arc::EllipticArc;
 use std::ops::Mul;
 
 /// z ↦ x·Re z + y·Im z + at.

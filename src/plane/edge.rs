@@ -1,7 +1,7 @@
 //! One analytic piece of a boundary: a line, an arc of a circle or an ellipse, a quadratic or cubic Bézier curve.
 
 use super::Complex64;
-use std::f64::consts::{PI, TAU};
+use super::elliptic_arc::{ArcTo, EllipticArc};
 
 /// A curve z(t), t from 0 to 1, analytic there and continued to complex t.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,95 +21,10 @@ pub enum Edge {
     Cubic([Complex64; 4]),
 }
 
-/// z(t) = center + cosine·cos φ + sine·sin φ, φ = start + sweep·t.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EllipticArc {
-    from: Complex64,
-    to: Complex64,
-    cosine: Complex64,
-    sine: Complex64,
-    start: f64,
-    sweep: f64,
-}
-
-/// Radii, rotation and flags of SVG's arc command, in radians and with y upwards.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ArcTo {
-    /// Radii along the ellipse's axes; enlarged if they are too small to reach.
-    pub radii: (f64, f64),
-    /// Angle of the first axis against the x axis, counter-clockwise, in radians.
-    pub rotation: f64,
-    /// Whether the arc is the one of more than half a turn.
-    pub large: bool,
-    /// Whether it runs counter-clockwise.
-    pub counterclockwise: bool,
-}
-
 /// Control points nearer to an end than this share of the curve's size do not tell its direction there.
 const COINCIDENT: f64 = 1e-9;
-/// Arcs that sweep more than once around meet themselves; rounding may add a little.
-const MOST_SWEEP: f64 = TAU * (1.0 + 1e-9);
 /// Steps of Newton's method.
 const STEPS: usize = 30;
-
-impl EllipticArc {
-    /// Part of the ellipse center + cosine·cos φ + sine·sin φ from φ = `start` to `start` + `sweep`, in radians.
-    #[must_use]
-    pub fn new(center: Complex64, cosine: Complex64, sine: Complex64, start: f64, sweep: f64) -> Self {
-        let at = |phi: f64| center + cosine * phi.cos() + sine * phi.sin();
-        Self { from: at(start), to: at(start + sweep), cosine, sine, start, sweep }
-    }
-
-    /// The middle of the ellipse.
-    #[must_use]
-    pub fn center(&self) -> Complex64 {
-        self.from - self.cosine * self.start.cos() - self.sine * self.start.sin()
-    }
-
-    /// The angle φ that it runs through, in radians, negative from `cosine` away from `sine`.
-    #[must_use]
-    pub fn sweep(&self) -> f64 {
-        self.sweep
-    }
-
-    /// How SVG's arc command describes it, its sweep being at most once around.
-    pub(super) fn drawn(&self) -> ArcTo {
-        // cosine·cos φ + sine·sin φ = p e^{iφ} + q e^{−iφ}.
-        let turn = Complex64::i() * self.sine;
-        let (p, q) = ((self.cosine - turn) * 0.5, (self.cosine + turn) * 0.5);
-        let radii = (p.norm() + q.norm(), (p.norm() - q.norm()).abs());
-        let rotation = if q.norm() <= 1e-15 * p.norm() { 0.0 } else { 0.5 * (p * q).arg() };
-        let counterclockwise = (self.sweep > 0.0) == (p.norm() > q.norm());
-        ArcTo { radii, rotation, large: self.sweep.abs() > PI, counterclockwise }
-    }
-
-    /// Both ends, the radii along cosine and sine, and the angles `start` and `sweep`: all that it is.
-    pub(super) fn parts(&self) -> ([Complex64; 4], [f64; 2]) {
-        ([self.from, self.to, self.cosine, self.sine], [self.start, self.sweep])
-    }
-
-    /// The arc of these parts, unless they contradict each other.
-    pub(super) fn from_parts(points: [Complex64; 4], angles: [f64; 2]) -> Option<Self> {
-        let arc = Self::of_parts(points, angles);
-        let size = arc.cosine.norm() + arc.sine.norm() + arc.from.norm();
-        let miss = (arc.from + Edge::Arc(arc).from_start(Complex64::ONE) - arc.to).norm();
-        (miss <= 1e-9 * size && arc.sweep.abs() <= MOST_SWEEP).then_some(arc)
-    }
-
-    /// The arc of these parts, which fit each other.
-    pub(super) fn of_parts([from, to, cosine, sine]: [Complex64; 4], [start, sweep]: [f64; 2]) -> Self {
-        Self { from, to, cosine, sine, start, sweep }
-    }
-
-    /// dz/dφ.
-    fn turned(&self, phi: Complex64) -> Complex64 {
-        self.sine * phi.cos() - self.cosine * phi.sin()
-    }
-
-    fn angle(&self, t: Complex64) -> Complex64 {
-        self.start + t * self.sweep
-    }
-}
 
 impl Edge {
     /// A straight edge.
@@ -128,34 +43,10 @@ impl Edge {
     /// to reach, the ellipse is enlarged, as SVG's rules say.
     #[must_use]
     pub fn arc_to(from: Complex64, to: Complex64, arc: ArcTo) -> Self {
-        let (rx, ry) = (arc.radii.0.abs(), arc.radii.1.abs());
-        if rx == 0.0 || ry == 0.0 || from == to {
+        if arc.radii.0 == 0.0 || arc.radii.1 == 0.0 || from == to {
             return Self::line(from, to);
         }
-        // On the unit circle of the ellipse's own coordinates.
-        let turn = Complex64::cis(arc.rotation);
-        let flat = |v: Complex64| {
-            let v = v * turn.conj();
-            Complex64::new(v.re / rx, v.im / ry)
-        };
-        let half = flat(to - from) * 0.5;
-        let scale = half.norm().max(1.0);
-        let half = half / scale;
-        let height = (1.0 - half.norm_sqr()).max(0.0).sqrt();
-        // The center is to the left of the chord where the short arc is counter-clockwise.
-        let side = if arc.large == arc.counterclockwise { -1.0 } else { 1.0 };
-        let center = Complex64::i() * half / half.norm() * (height * side);
-        let (a, b) = (-half - center, half - center);
-        let start = a.arg();
-        let mut sweep = (b * a.conj()).arg();
-        if arc.counterclockwise && sweep <= 0.0 {
-            sweep += TAU;
-        } else if !arc.counterclockwise && sweep >= 0.0 {
-            sweep -= TAU;
-        }
-        let cosine = turn * rx * scale;
-        let sine = turn * Complex64::new(0.0, ry * scale);
-        Self::Arc(EllipticArc { from, to, cosine, sine, start, sweep })
+        Self::Arc(EllipticArc::drawn_to(from, to, arc))
     }
 
     /// z(0).
@@ -163,7 +54,7 @@ impl Edge {
     pub fn from(&self) -> Complex64 {
         match self {
             Self::Line { from, .. } => *from,
-            Self::Arc(arc) => arc.from,
+            Self::Arc(arc) => arc.from(),
             Self::Quadratic(b) => b[0],
             Self::Cubic(b) => b[0],
         }
@@ -174,7 +65,7 @@ impl Edge {
     pub fn to(&self) -> Complex64 {
         match self {
             Self::Line { to, .. } => *to,
-            Self::Arc(arc) => arc.to,
+            Self::Arc(arc) => arc.to(),
             Self::Quadratic(b) => b[2],
             Self::Cubic(b) => b[3],
         }
@@ -203,12 +94,7 @@ impl Edge {
     pub fn chord(&self, s: Complex64, t: Complex64) -> Complex64 {
         match self {
             Self::Line { from, to } => to - from,
-            Self::Arc(arc) => {
-                let half = (t - s) * (0.5 * arc.sweep);
-                // sin x/x.
-                let sinc = if half.norm_sqr() < 1e-12 { 1.0 - half * half / 6.0 } else { half.sin() / half };
-                arc.turned(arc.angle(0.5 * (s + t))) * sinc * arc.sweep
-            }
+            Self::Arc(arc) => arc.chord(s, t),
             Self::Quadratic(_) | Self::Cubic(_) => {
                 let [c1, c2, c3] = self.powers();
                 c1 + c2 * (s + t) + c3 * (s * s + s * t + t * t)
@@ -221,22 +107,7 @@ impl Edge {
     pub fn chord_slope(&self, s: Complex64, t: Complex64) -> Complex64 {
         match self {
             Self::Line { .. } => Complex64::ZERO,
-            Self::Arc(arc) => {
-                let half = (t - s) * (0.5 * arc.sweep);
-                let (sinc, slope) = if half.norm_sqr() < 1e-4 {
-                    let square = half * half;
-                    (
-                        1.0 - square / 6.0 * (1.0 - square / 20.0),
-                        -half / 3.0 * (1.0 - square / 10.0 * (1.0 - square / 28.0)),
-                    )
-                } else {
-                    let sinc = half.sin() / half;
-                    (sinc, (half.cos() - sinc) / half)
-                };
-                let phi = arc.angle(0.5 * (s + t));
-                let turned = -(arc.cosine * phi.cos() + arc.sine * phi.sin());
-                (turned * sinc + arc.turned(phi) * slope) * (0.5 * arc.sweep * arc.sweep)
-            }
+            Self::Arc(arc) => arc.chord_slope(s, t),
             Self::Quadratic(_) | Self::Cubic(_) => {
                 let [_, c2, c3] = self.powers();
                 c2 + c3 * (s + 2.0 * t)
@@ -250,7 +121,7 @@ impl Edge {
     pub fn tangent(&self, t: Complex64) -> Complex64 {
         match self {
             Self::Line { from, to } => to - from,
-            Self::Arc(arc) => arc.turned(arc.angle(t)) * arc.sweep,
+            Self::Arc(arc) => arc.tangent(t),
             Self::Quadratic(_) | Self::Cubic(_) => {
                 let [c1, c2, c3] = self.powers();
                 c1 + t * (2.0 * c2 + 3.0 * t * c3)
@@ -264,10 +135,7 @@ impl Edge {
     pub fn bend(&self, t: Complex64) -> Complex64 {
         match self {
             Self::Line { .. } => Complex64::ZERO,
-            Self::Arc(arc) => {
-                let phi = arc.angle(t);
-                -(arc.cosine * phi.cos() + arc.sine * phi.sin()) * (arc.sweep * arc.sweep)
-            }
+            Self::Arc(arc) => arc.bend(t),
             Self::Quadratic(_) | Self::Cubic(_) => {
                 let [_, c2, c3] = self.powers();
                 2.0 * c2 + 6.0 * t * c3
@@ -326,7 +194,7 @@ impl Edge {
         let reach = |points: &[Complex64]| points.iter().map(|p| (p - from).norm()).fold(0.0, f64::max);
         match self {
             Self::Line { from, to } => (to - from).norm(),
-            Self::Arc(arc) => (arc.cosine.norm() + arc.sine.norm()) * arc.sweep.abs().min(1.0),
+            Self::Arc(arc) => arc.size(),
             Self::Quadratic(points) => reach(points),
             Self::Cubic(points) => reach(points),
         }
@@ -338,13 +206,7 @@ impl Edge {
     pub fn reversed(&self) -> Self {
         match *self {
             Self::Line { from, to } => Self::Line { from: to, to: from },
-            Self::Arc(arc) => Self::Arc(EllipticArc {
-                from: arc.to,
-                to: arc.from,
-                start: arc.start + arc.sweep,
-                sweep: -arc.sweep,
-                ..arc
-            }),
+            Self::Arc(arc) => Self::Arc(arc.reversed()),
             Self::Quadratic([a, b, c]) => Self::Quadratic([c, b, a]),
             Self::Cubic([a, b, c, d]) => Self::Cubic([d, c, b, a]),
         }
@@ -356,7 +218,7 @@ impl Edge {
     pub fn moved(&self, by: Complex64) -> Self {
         match *self {
             Self::Line { from, to } => Self::Line { from: from + by, to: to + by },
-            Self::Arc(arc) => Self::Arc(EllipticArc { from: arc.from + by, to: arc.to + by, ..arc }),
+            Self::Arc(arc) => Self::Arc(arc.moved(by)),
             Self::Quadratic(b) => Self::Quadratic(b.map(|b| b + by)),
             Self::Cubic(b) => Self::Cubic(b.map(|b| b + by)),
         }
@@ -368,13 +230,7 @@ impl Edge {
     pub fn scaled(&self, by: Complex64) -> Self {
         match *self {
             Self::Line { from, to } => Self::Line { from: from * by, to: to * by },
-            Self::Arc(arc) => Self::Arc(EllipticArc {
-                from: arc.from * by,
-                to: arc.to * by,
-                cosine: arc.cosine * by,
-                sine: arc.sine * by,
-                ..arc
-            }),
+            Self::Arc(arc) => Self::Arc(arc.scaled(by)),
             Self::Quadratic(b) => Self::Quadratic(b.map(|b| b * by)),
             Self::Cubic(b) => Self::Cubic(b.map(|b| b * by)),
         }
@@ -390,12 +246,7 @@ impl Edge {
                 let middle = mix(from, to);
                 [Self::Line { from, to: middle }, Self::Line { from: middle, to }]
             }
-            Self::Arc(arc) => {
-                let middle = self.point(t);
-                let first = EllipticArc { to: middle, sweep: arc.sweep * t, ..arc };
-                let start = arc.start + arc.sweep * t;
-                [Self::Arc(first), Self::Arc(EllipticArc { from: middle, start, sweep: arc.sweep * (1.0 - t), ..arc })]
-            }
+            Self::Arc(arc) => arc.split(t, self.point(t)).map(Self::Arc),
             Self::Quadratic([a, b, c]) => {
                 let (ab, bc) = (mix(a, b), mix(b, c));
                 let middle = mix(ab, bc);
@@ -427,7 +278,7 @@ impl Edge {
     pub(super) fn is_finite(&self) -> bool {
         match self {
             Self::Line { from, to } => from.is_finite() && to.is_finite(),
-            Self::Arc(arc) => arc.parts().0.iter().all(|z| z.is_finite()) && arc.start.is_finite(),
+            Self::Arc(arc) => arc.is_finite(),
             Self::Quadratic(points) => points.iter().all(|z| z.is_finite()),
             Self::Cubic(points) => points.iter().all(|z| z.is_finite()),
         }
@@ -435,7 +286,7 @@ impl Edge {
 
     /// Whether it is an arc that goes around more than once.
     pub(super) fn overlaps_itself(&self) -> bool {
-        matches!(self, Self::Arc(arc) if arc.sweep.abs() > MOST_SWEEP)
+        matches!(self, Self::Arc(arc) if arc.overlaps_itself())
     }
 
     /// The parameters where x or y may be extreme.
@@ -443,16 +294,7 @@ impl Edge {
     pub(super) fn turning_points(&self) -> Vec<f64> {
         match self {
             Self::Line { .. } => Vec::new(),
-            Self::Arc(arc) => {
-                let extremes = [(arc.cosine.re, arc.sine.re), (arc.cosine.im, arc.sine.im)];
-                let first = extremes.map(|(cosine, sine)| sine.atan2(cosine));
-                let turns = (arc.sweep.abs() / PI) as i32 + 3;
-                let at = |phi: f64| {
-                    let base = ((phi - arc.start) / PI).floor();
-                    (-turns..=turns).map(move |k| (phi - arc.start - PI * (base - f64::from(k))) / arc.sweep)
-                };
-                first.into_iter().flat_map(at).collect()
-            }
+            Self::Arc(arc) => arc.turning_points(),
             Self::Quadratic(_) | Self::Cubic(_) => {
                 let [c1, c2, c3] = self.powers();
                 let mut roots = quadratic_roots(3.0 * c3.re, 2.0 * c2.re, c1.re);
@@ -504,6 +346,7 @@ fn quadratic_roots(a: f64, b: f64, c: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     fn at(re: f64, im: f64) -> Complex64 {
         Complex64::new(re, im)

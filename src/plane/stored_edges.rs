@@ -1,6 +1,7 @@
 //! Edges as bytes.
 
-use super::edge::{Edge, EllipticArc};
+use super::edge::Edge;
+use super::elliptic_arc::EllipticArc;
 use crate::stored::{Reader, Writer};
 use crate::{Error, Result};
 

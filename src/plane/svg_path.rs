@@ -1,7 +1,8 @@
 //! The data of an SVG path ↔ edges, in the path's own coordinates: angles count from x to y.
 
 use super::Complex64;
-use super::edge::{ArcTo, Edge};
+use super::edge::Edge;
+use super::elliptic_arc::ArcTo;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use svgtypes::{PathParser, PathSegment};
