@@ -24,7 +24,7 @@ pub fn marked_points<const N: usize>(
     if let Some(k) = points.iter().position(|point| !point.is_finite()) {
         return Err(Error::NotFinite { what: format!("Marked point {k}") });
     }
-    let count = region.curved().map_or(region.polygon().len(), |outline| outline.edges().len());
+    let count = region.contour().edge_count();
     let places = points.map(|point| {
         let place = region.nearest(point);
         if place.t < 1.0 { place } else { BoundaryPoint { edge: (place.edge + 1) % count, t: 0.0, ..place } }
