@@ -1,5 +1,6 @@
 //! One simple closed curve: a polygon, a smooth curve through the same points, or a chain of curved edges.
 
+use super::chains::lines_through;
 use super::polygon::ON_BOUNDARY;
 use super::{BoundaryPoint, Complex64, CurvedOutline, Edge, Polygon, SmoothCurve};
 use crate::{Error, Result};
@@ -186,10 +187,7 @@ impl Contour {
         match &self.shape {
             Shape::Smooth(_) => None,
             Shape::Curved(outline) => Some(Ok(Arc::clone(outline))),
-            Shape::Straight => {
-                let edges = (0..self.polygon.len()).map(|k| self.polygon.edge(k)).map(|(a, b)| Edge::line(a, b));
-                Some(CurvedOutline::new(&edges.collect::<Vec<_>>()).map(Arc::new))
-            }
+            Shape::Straight => Some(CurvedOutline::new(&lines_through(self.polygon.vertices())).map(Arc::new)),
         }
     }
 

@@ -1,6 +1,7 @@
 //! The plane: complex points, frames (pixels ↔ plane), polygons, regions, and domains with holes.
 
 mod affine;
+pub(crate) mod chains;
 mod contour;
 mod curved_outline;
 mod domain;

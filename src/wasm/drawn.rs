@@ -4,6 +4,7 @@ use super::error::Failure;
 use super::options::Point;
 use super::points;
 use crate::Error;
+use crate::plane::chains::lines_through;
 use crate::plane::{self, Complex64, Curve, Domain, Edge, EllipticArc};
 use js_sys::{Array, Float64Array, Reflect};
 use wasm_bindgen::{JsCast, JsValue};
@@ -144,9 +145,7 @@ pub fn domain_of(outlines: Vec<Drawn>, bounded: bool, curve: Option<Curve>) -> R
     }
     let edges = |outline| match outline {
         Drawn::Edges(edges) => edges,
-        Drawn::Points(points) => {
-            (0..points.len()).map(|k| Edge::line(points[k], points[(k + 1) % points.len()])).collect()
-        }
+        Drawn::Points(points) => lines_through(&points),
     };
     let all: Vec<Vec<Edge>> = outlines.into_iter().map(edges).collect();
     Ok(if bounded { Domain::from_edges(&all[0], &all[1..])? } else { Domain::exterior_of_edges(&all)? })
