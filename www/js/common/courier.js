@@ -1,6 +1,6 @@
 // Questions to one worker: of each asker the newest waits, the others are forgotten.
 
-import { WORKER } from "./colours.js";
+import { startWorker } from "./start-worker.js";
 
 /** @typedef {import("./images.js").Picture} Picture */
 /** @typedef {{ asker: string, question: any, resolve: (answer: any) => void, reject: (error: Error) => void }} Letter */
@@ -41,14 +41,8 @@ export class Courier {
   }
 
   #start() {
-    const worker = new Worker(this.#script, WORKER);
-    worker.onmessage = ({ data }) => this.#receive(data);
-    worker.onerror = (event) => {
-      event.preventDefault();
-      this.#fail(event.message || "its script could not be loaded");
-    };
     this.#handed.clear();
-    return worker;
+    return startWorker(this.#script, (data) => this.#receive(data), (why) => this.#fail(why));
   }
 
   #next() {

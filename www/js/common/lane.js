@@ -1,6 +1,6 @@
 // A worker as seen from the page: it works on one job at a time, and only the newest waits. One that fails is replaced.
 
-import { WORKER } from "./colours.js";
+import { startWorker } from "./start-worker.js";
 
 /** @typedef {import("./images.js").Picture} Picture */
 /** @typedef {import("./serve.js").Versioned} Versioned */
@@ -78,12 +78,7 @@ export class Lane {
   }
 
   #start() {
-    const worker = new Worker(this.#script, WORKER);
-    worker.onmessage = ({ data }) => this.#receive(data);
-    worker.onerror = (event) => {
-      event.preventDefault();
-      this.#fail(event.message || "its script could not be loaded");
-    };
+    const worker = startWorker(this.#script, (data) => this.#receive(data), (why) => this.#fail(why));
     worker.onmessageerror = () => this.#fail("its answer could not be read");
     this.#worker = worker;
     this.#handed = null;
