@@ -326,16 +326,19 @@ mod tests {
     use super::super::rule::Rules;
     use super::*;
     use crate::plane::Polygon;
+    use std::f64::consts::TAU;
     use std::sync::Arc;
+
+    /// With sixty rays.
+    fn star() -> Arc<Boundary> {
+        let radius = |k: u32| if k.is_multiple_of(2) { 1.0 } else { 0.8 };
+        let tip = |k: u32| Complex64::from_polar(radius(k), f64::from(k) * TAU / 120.0);
+        Arc::new(Boundary::new(&Polygon::new(&(0..120).map(tip).collect::<Vec<_>>()).unwrap()))
+    }
 
     #[test]
     fn agrees_with_every_entry_stored() {
-        let star: Vec<Complex64> = (0..120)
-            .map(|k| {
-                Complex64::from_polar(if k % 2 == 0 { 1.0 } else { 0.8 }, f64::from(k) * std::f64::consts::TAU / 120.0)
-            })
-            .collect();
-        let boundary = Arc::new(Boundary::new(&Polygon::new(&star).unwrap()));
+        let boundary = star();
         let mut rules = Rules::new(Order::new(4, 10.0));
         let panels = initial_panels(&boundary, 1.0);
         let discretisation = Discretisation::new(boundary, panels, &mut rules);
@@ -357,12 +360,7 @@ mod tests {
 
     #[test]
     fn refining_takes_over_what_stays() {
-        let star: Vec<Complex64> = (0..120)
-            .map(|k| {
-                Complex64::from_polar(if k % 2 == 0 { 1.0 } else { 0.8 }, f64::from(k) * std::f64::consts::TAU / 120.0)
-            })
-            .collect();
-        let boundary = Arc::new(Boundary::new(&Polygon::new(&star).unwrap()));
+        let boundary = star();
         let mut rules = Rules::new(Order::new(4, 8.0));
         let panels = initial_panels(&boundary, 1.0);
         let before = Discretisation::new(Arc::clone(&boundary), panels, &mut rules);
