@@ -10,8 +10,13 @@ use crate::{Error, Result};
 use num_complex::Complex64;
 
 const MARK: &[u8; 8] = b"conformW";
-/// Raised when the content of any kind changes its form.
-const FORMAT: u16 = 1;
+/// The newest: raised when the content of any kind changes its form. What an older one can hold is written in that, for older
+/// versions to read.
+const FORMAT: u16 = RECENTRED;
+/// The first format: maps of regions as they were solved.
+pub const SOLVED: u16 = 1;
+/// Before each map of a region, whether it was solved for its own center.
+pub const RECENTRED: u16 = 2;
 /// Bytes before the content, and after it.
 const HEAD: usize = MARK.len() + 2 + 2 + 8;
 const SUM: usize = 8;
@@ -44,13 +49,19 @@ impl Kind {
 /// The bytes of a map, whose content `write` writes.
 #[must_use]
 pub fn written(kind: Kind, write: impl FnOnce(&mut Writer)) -> Vec<u8> {
-    let mut writer = Writer(Vec::new());
+    written_in(SOLVED, kind, write)
+}
+
+/// [`written`] in one of the formats.
+#[must_use]
+pub fn written_in(format: u16, kind: Kind, write: impl FnOnce(&mut Writer)) -> Vec<u8> {
+    let mut writer = Writer(Vec::new(), format);
     writer.0.extend_from_slice(MARK);
-    writer.0.extend_from_slice(&FORMAT.to_le_bytes());
+    writer.0.extend_from_slice(&format.to_le_bytes());
     writer.0.extend_from_slice(&(kind as u16).to_le_bytes());
     writer.0.extend_from_slice(&[0; 8]);
     write(&mut writer);
-    let Writer(mut bytes) = writer;
+    let Writer(mut bytes, _) = writer;
     let length = (bytes.len() - HEAD) as u64;
     bytes[HEAD - 8..HEAD].copy_from_slice(&length.to_le_bytes());
     let sum = sum_of(&bytes);
@@ -65,25 +76,25 @@ pub fn written(kind: Kind, write: impl FnOnce(&mut Writer)) -> Vec<u8> {
 pub fn read<T>(kind: Kind, bytes: &[u8], read: impl FnOnce(&mut Reader) -> Result<T>) -> Result<T> {
     let not = |found| Error::NotStored { expected: kind.name(), found };
     let rest = bytes.strip_prefix(MARK).ok_or(not("something else"))?;
-    let mut head = Reader(rest);
+    let mut head = Reader(rest, FORMAT);
     let format = head.u16()?;
-    if format != FORMAT {
+    if !(SOLVED..=FORMAT).contains(&format) {
         return Err(Error::OtherFormat { found: format, known: FORMAT });
     }
     let found = head.u16()?;
     let length = head.u64()?;
-    let Reader(after) = head;
+    let Reader(after, _) = head;
     if length.checked_add(SUM as u64) != Some(after.len() as u64) {
         return Err(Error::Damaged { reason: "it is shorter or longer than it says" });
     }
     let (content, sum) = bytes.split_at(bytes.len() - SUM);
-    if Reader(sum).u64()? != sum_of(content) {
+    if Reader(sum, FORMAT).u64()? != sum_of(content) {
         return Err(Error::Damaged { reason: "its bytes have changed since it was stored" });
     }
     if found != kind as u16 {
         return Err(not(Kind::of(found).map_or("something else", Kind::name)));
     }
-    let mut content = Reader(&content[HEAD..]);
+    let mut content = Reader(&content[HEAD..], format);
     let value = read(&mut content)?;
     if content.0.is_empty() { Ok(value) } else { Err(Error::Damaged { reason: "there is more in it than a map" }) }
 }
@@ -93,11 +104,17 @@ fn sum_of(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
-/// Appends numbers.
+/// Appends numbers, in a format.
 #[derive(Debug)]
-pub struct Writer(Vec<u8>);
+pub struct Writer(Vec<u8>, u16);
 
 impl Writer {
+    /// The format.
+    #[must_use]
+    pub fn format(&self) -> u16 {
+        self.1
+    }
+
     /// One of a few cases.
     pub fn case(&mut self, number: u8) {
         self.0.push(number);
@@ -136,13 +153,19 @@ impl Writer {
     }
 }
 
-/// Takes numbers from the front.
+/// Takes numbers from the front, in a format.
 #[derive(Debug)]
-pub struct Reader<'a>(&'a [u8]);
+pub struct Reader<'a>(&'a [u8], u16);
 
 const SHORT: Error = Error::Damaged { reason: "it ends too soon" };
 
 impl<'a> Reader<'a> {
+    /// The format.
+    #[must_use]
+    pub fn format(&self) -> u16 {
+        self.1
+    }
+
     fn array<const N: usize>(&mut self) -> Result<[u8; N]> {
         let (array, rest) = self.0.split_first_chunk().ok_or(SHORT)?;
         self.0 = rest;

@@ -110,10 +110,25 @@ impl Region {
                 to.points(self.boundary());
             }
         }
+        self.store_points(to);
+    }
+
+    /// Writes center and `toward` alone.
+    pub(crate) fn store_points(&self, to: &mut Writer) {
         to.point(self.center);
         to.count(self.toward.edge);
         to.number(self.toward.t);
         to.point(self.toward.point);
+    }
+
+    /// This with the center and `toward` that [`Region::store_points`] wrote.
+    ///
+    /// # Errors
+    /// As [`Region::restore`].
+    pub(crate) fn restore_points(&self, from: &mut Reader) -> Result<Self> {
+        let edges = self.curved().map_or(self.boundary().len(), |outline| outline.edges().len());
+        let (center, toward) = restore_points(from, edges)?;
+        self.with_center(center, toward.point)?.restored(toward, true)
     }
 
     /// The same region to the bit, as [`Region::store`] wrote it, checked as a new one is.

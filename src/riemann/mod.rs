@@ -1,9 +1,10 @@
 //! Riemann maps: region ↔ disk by Symm's equation, and region ↔ region through the disk.
 //!
 //! [`RiemannMap`] asks a `solved_region`, which is a `polygon` that answers through an `atlas` of charts, or a `smooth`
-//! curve; [`RegionMap`] joins two of them, and `marked` takes the disk on to a rectangle, a strip, the half plane.
+//! curve, or one of them `recentred` by an `automorphism` of the disk; [`RegionMap`] joins two of them, and `marked` takes the disk on to a rectangle, a strip, the half plane.
 
 mod atlas;
+mod automorphism;
 mod both_ways;
 mod cauchy_tree;
 mod curved;
@@ -13,7 +14,9 @@ mod holes;
 mod joined;
 mod lazy_tree;
 mod marked;
+mod near_one;
 mod polygon;
+mod recentred;
 mod region_map;
 mod riemann_map;
 mod rounding;

@@ -260,6 +260,10 @@ impl SolvedRegion for SolvedPolygon {
         self.expansions().positions()
     }
 
+    fn positions_from(&self, first: Position) -> Vec<Position> {
+        self.expansions().positions_from(first)
+    }
+
     fn prepare(&self, progress: Progress) -> Result<()> {
         if self.expansions.get().is_none() {
             let built = Expansions::reporting(&self.solution, self.thickness(), &self.options, progress)?;

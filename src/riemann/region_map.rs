@@ -5,7 +5,7 @@ use super::atlas::Passage;
 use super::doubt::Doubt;
 use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap, pointwise};
 use crate::plane::{BoundaryPoint, Complex64, NOWHERE};
-use crate::stored::{Kind, read, written};
+use crate::stored::{Kind, read, written_in};
 use crate::{Error, Result};
 use std::sync::{Arc, OnceLock};
 
@@ -65,7 +65,8 @@ impl RegionMap {
     /// Both maps as bytes, from which [`RegionMap::from_bytes`] makes the same map, to the bit, without solving.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
-        written(Kind::Region, |to| [&self.a, &self.b].into_iter().for_each(|map| map.store(to)))
+        let format = self.a.format().max(self.b.format());
+        written_in(format, Kind::Region, |to| [&self.a, &self.b].into_iter().for_each(|map| map.store(to)))
     }
 
     /// The map that [`RegionMap::to_bytes`] stored.

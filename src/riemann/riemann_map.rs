@@ -3,15 +3,16 @@
 use super::atlas::{Compass, DiskPoint, Position};
 use super::curved::SolvedEdges;
 use super::polygon::SolvedPolygon;
+use super::recentred::Recentred;
 use super::rounding::onto_disk;
 use super::smooth::SolvedCurve;
-use super::solved_region::SolvedRegion;
-use crate::Result;
+use super::solved_region::{Root, SolvedRegion};
 use crate::map::{Inverse, InvertibleMap, Jet, PlaneMap};
 use crate::plane::{BoundaryPoint, Complex64, Curve, NOWHERE, Region};
-use crate::stored::{Kind, Reader, Writer, read, written};
+use crate::stored::{Kind, RECENTRED, Reader, SOLVED, Writer, read, written_in};
 use crate::symm::correspondence::angle_of_measure;
 use crate::symm::options::{Progress, SolveOptions, Stop};
+use crate::{Error, Result};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -60,19 +61,66 @@ impl RiemannMap {
     }
 
     /// The map of the same region for another center and direction, from what was solved before: moving only `toward` is a
-    /// rotation, and where the old panels serve the new center within the tolerance nothing is assembled or factored. They
-    /// are refined where they do not, as for a center much nearer to the boundary.
+    /// rotation. For another center it is the map that was solved, followed by an automorphism of the disk, which stretches
+    /// errors: as long as [`RiemannMap::error_estimate`] then still meets the tolerance, nothing is solved or built. Otherwise
+    /// the old panels serve, if they do within the tolerance; they are refined where they do not, as for a center much nearer
+    /// to the boundary.
     ///
     /// # Errors
     /// As [`RiemannMap::solve`] and [`Region::new`].
     pub fn with_center(&self, center: Complex64, toward: Complex64, progress: Progress) -> Result<Self> {
+        self.with_center_within(center, toward, self.options.tolerance, progress)
+    }
+
+    /// [`RiemannMap::with_center`] with another tolerance: with a looser one than the map was solved with, centers far from the
+    /// one that it was solved for need no new solve, as long as `tolerance` covers what that costs.
+    ///
+    /// ```
+    /// use conformal_warp::{Complex64, Curve, Region, RiemannMap, SolveOptions};
+    /// let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Complex64::new(x, y));
+    /// let region = Region::new(&square, Curve::Polygon, Complex64::new(0.0, 0.0), square[0])?;
+    /// let map = RiemannMap::solve(&region, &SolveOptions::default(), &mut |_, _| true)?;
+    /// let center = Complex64::new(0.7, 0.4);
+    /// let moved = map.with_center_within(center, square[0], 1e-5, &mut |_, _| true)?;
+    /// assert!(moved.to_disk(&[center])[0].norm() < 1e-14 && moved.error_estimate() <= 1e-5);
+    /// # Ok::<(), conformal_warp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`RiemannMap::with_center`], and [`Error::InvalidOption`](crate::Error::InvalidOption).
+    pub fn with_center_within(
+        &self,
+        center: Complex64,
+        toward: Complex64,
+        tolerance: f64,
+        progress: Progress,
+    ) -> Result<Self> {
+        let options = SolveOptions { tolerance, ..self.options.clone() };
+        options.validate()?;
         let region = self.region.with_center(center, toward)?;
-        let solved = if center == self.region.center() {
+        let root = self.root();
+        let is_enough = |solved: &dyn SolvedRegion| solved.evidence().error_estimate <= tolerance;
+        let solved = if center == self.region.center() && (root.is_none() || is_enough(&*self.solved)) {
             Arc::clone(&self.solved)
         } else {
-            self.solved.with_center(center, &self.options, progress)?
+            let root = root.unwrap_or_else(|| self.as_root());
+            match Recentred::new(root.clone(), center) {
+                _ if center == root.region.center() => root.solved,
+                Some(recentred) if is_enough(&recentred) => Arc::new(recentred),
+                _ => root.solved.with_center(center, &options, progress)?,
+            }
         };
-        Ok(Self::new(region, &self.options, solved))
+        Ok(Self::new(region, &options, solved))
+    }
+
+    /// What this is seen from another center, if it is.
+    fn root(&self) -> Option<Root> {
+        self.solved.root().cloned()
+    }
+
+    /// This as what others are seen from.
+    fn as_root(&self) -> Root {
+        Root { region: self.region.clone(), options: self.options.clone(), solved: Arc::clone(&self.solved) }
     }
 
     /// The solved map as bytes: the region, the options and the solution, from which [`RiemannMap::from_bytes`] makes the same
@@ -90,7 +138,7 @@ impl RiemannMap {
     /// ```
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
-        written(Kind::Riemann, |to| self.store(to))
+        written_in(self.format(), Kind::Riemann, |to| self.store(to))
     }
 
     /// The map that [`RiemannMap::to_bytes`] stored, by this version or an older one.
@@ -106,23 +154,35 @@ impl RiemannMap {
         read(Kind::Riemann, bytes, Self::restore)
     }
 
+    /// The format that holds it.
+    pub(super) fn format(&self) -> u16 {
+        if self.solved.root().is_some() { RECENTRED } else { SOLVED }
+    }
+
     pub(super) fn store(&self, to: &mut Writer) {
-        self.region.store(to);
+        let root = self.solved.root();
+        if to.format() >= RECENTRED {
+            to.case(u8::from(root.is_some()));
+        }
+        let Some(root) = root else {
+            return store_solved(&self.region, &self.options, &*self.solved, to);
+        };
+        store_solved(&root.region, &root.options, &*root.solved, to);
+        self.region.store_points(to);
         self.options.store(to);
-        self.solved.store(to);
     }
 
     pub(super) fn restore(from: &mut Reader) -> Result<Self> {
-        let region = Region::restore(from)?;
+        let is_recentred = from.format() >= RECENTRED && from.case()? != 0;
+        let root = restore_solved(from)?;
+        if !is_recentred {
+            return Ok(Self::new(root.region, &root.options, root.solved));
+        }
+        let region = root.region.restore_points(from)?;
         let options = SolveOptions::restore(from)?;
-        let straight = region.straightened();
-        let bounded = straight.as_ref().unwrap_or(&region);
-        let solved: Arc<dyn SolvedRegion> = match bounded.curve() {
-            Curve::Smooth => Arc::new(SolvedCurve::restore(bounded, from)?),
-            Curve::Polygon => Arc::new(SolvedPolygon::restore(bounded, &options, from)?),
-            Curve::Edges => Arc::new(SolvedEdges::restore(bounded, from)?),
-        };
-        Ok(Self::new(region, &options, solved))
+        let unknown = Error::Damaged { reason: "its center is not one that it knows" };
+        let solved = Recentred::new(root, region.center()).ok_or(unknown)?;
+        Ok(Self::new(region, &options, Arc::new(solved)))
     }
 
     fn new(region: Region, options: &SolveOptions, solved: Arc<dyn SolvedRegion>) -> Self {
@@ -305,6 +365,25 @@ impl RiemannMap {
     pub fn stop(&self) -> Stop {
         self.solved.evidence().stop
     }
+}
+
+fn store_solved(region: &Region, options: &SolveOptions, solved: &dyn SolvedRegion, to: &mut Writer) {
+    region.store(to);
+    options.store(to);
+    solved.store(to);
+}
+
+fn restore_solved(from: &mut Reader) -> Result<Root> {
+    let region = Region::restore(from)?;
+    let options = SolveOptions::restore(from)?;
+    let straight = region.straightened();
+    let bounded = straight.as_ref().unwrap_or(&region);
+    let solved: Arc<dyn SolvedRegion> = match bounded.curve() {
+        Curve::Smooth => Arc::new(SolvedCurve::restore(bounded, from)?),
+        Curve::Polygon => Arc::new(SolvedPolygon::restore(bounded, &options, from)?),
+        Curve::Edges => Arc::new(SolvedEdges::restore(bounded, from)?),
+    };
+    Ok(Root { region, options, solved })
 }
 
 /// Region → disk.

@@ -5,11 +5,20 @@ pub(super) use super::evidence::Evidence;
 use super::rounding::onto_disk;
 use crate::Result;
 use crate::map::{Jet, pointwise};
-use crate::plane::{BoundaryPoint, Complex64, NOWHERE};
+use crate::plane::{BoundaryPoint, Complex64, NOWHERE, Region};
 use crate::stored::Writer;
 use crate::symm::options::{Progress, SolveOptions};
 use std::fmt;
 use std::sync::Arc;
+
+/// What was solved, for the center of `region`.
+#[derive(Clone, Debug)]
+pub(super) struct Root {
+    pub region: Region,
+    pub options: SolveOptions,
+    /// Shared by clones.
+    pub solved: Arc<dyn SolvedRegion>,
+}
 
 /// A region with its solution of Symm's equation: region ↔ disk with vertex 0 ↦ 1, in plane units, with the evidence.
 ///
@@ -32,6 +41,11 @@ pub(super) trait SolvedRegion: Send + Sync {
         options: &SolveOptions,
         progress: Progress,
     ) -> Result<Arc<dyn SolvedRegion>>;
+
+    /// What this is seen from another center; `None` if it was solved for its own.
+    fn root(&self) -> Option<&Root> {
+        None
+    }
 
     /// Harmonic measure from vertex 0 to each vertex.
     fn vertex_measures(&self) -> Vec<f64>;
@@ -122,6 +136,11 @@ pub(super) trait SolvedRegion: Send + Sync {
     fn positions(&self) -> &[Position] {
         static ONE_POSITION: [Position; 1] = [Position::FIRST];
         &ONE_POSITION
+    }
+
+    /// [`SolvedRegion::positions`] as they are seen from where the first of them lies at `first`.
+    fn positions_from(&self, first: Position) -> Vec<Position> {
+        vec![first]
     }
 
     /// Builds now what is otherwise built when it is first asked for.

@@ -60,6 +60,10 @@ pub struct CenterOptions {
     pub center: Point,
     /// The boundary point that goes to 1; snapped to the nearest point of the boundary.
     pub toward: Point,
+    /// The largest acceptable error; by default the one that the map was made with. With a looser one, for drafts, a center
+    /// may lie further from that of the solve before anything is solved again.
+    #[tsify(optional)]
+    pub tolerance: Option<f64>,
     /// As in `solve`.
     #[serde(default, deserialize_with = "options::object")]
     #[tsify(optional, type = "(stage: string, fraction: number) => boolean | void")]
@@ -86,15 +90,20 @@ impl RiemannMap {
         progress.finish(solved).map(Self)
     }
 
-    /// The map of the same boundary with another center and direction. What was solved for is used again.
+    /// The map of the same boundary with another center and direction. What was solved for is used again: the map followed by an
+    /// automorphism of the disk, as long as `errorEstimate`, which that stretches, meets the tolerance.
     ///
     /// Throws as `new Region()` and `solve` do.
     #[wasm_bindgen(js_name = withCenter)]
     pub fn with_center(&self, options: Ts<CenterOptions>) -> Result<Self, Failure> {
-        let CenterOptions { center, toward, on_progress } = options::read(&options)?;
+        let CenterOptions { center, toward, tolerance, on_progress } = options::read(&options)?;
         let mut progress = Progress::new(on_progress);
-        let solved =
-            self.0.with_center(center.into(), toward.into(), &mut |stage, fraction| progress.report(stage, fraction));
+        let mut report = |stage, fraction| progress.report(stage, fraction);
+        let (center, toward) = (center.into(), toward.into());
+        let solved = match tolerance {
+            Some(tolerance) => self.0.with_center_within(center, toward, tolerance, &mut report),
+            None => self.0.with_center(center, toward, &mut report),
+        };
         progress.finish(solved).map(Self)
     }
 

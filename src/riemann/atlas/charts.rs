@@ -97,6 +97,8 @@ pub struct Atlas {
     links: Vec<Vec<Link>>,
     /// Chart i → chart 0, in polar form.
     pub positions: Vec<Position>,
+    /// For each chart but the first its parent, where it lies there, and where that lies in it.
+    steps: Vec<(usize, [Complex64; 2])>,
     /// The boundary, asked for distances.
     pub walls: Walls,
     options: SolveOptions,
@@ -123,6 +125,7 @@ impl Atlas {
             charts,
             links: vec![vec![Link::IDENTITY]],
             positions: vec![Position::FIRST],
+            steps: Vec::new(),
             walls,
             options: options.clone(),
         }
@@ -159,8 +162,19 @@ impl Atlas {
         row.push(Link::IDENTITY);
         self.links.push(row);
         self.positions.push(self.positions[parent].next(there[0], back[0]));
+        self.steps.push((parent, [there[0], back[0]]));
         self.charts.push(Arc::new(chart));
         true
+    }
+
+    /// The positions of all charts, if the first one's is `first`.
+    #[must_use]
+    pub fn positions_from(&self, first: Position) -> Vec<Position> {
+        let mut positions = vec![first];
+        for (parent, [there, back]) in &self.steps {
+            positions.push(positions[*parent].next(*there, *back));
+        }
+        positions
     }
 
     /// Expands the map of the chart that serves best around `center`, tried from `hint` on; returns which it is.

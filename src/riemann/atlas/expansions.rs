@@ -304,6 +304,12 @@ impl Expansions {
         &self.far().atlas.positions
     }
 
+    /// The charts seen from where the first of them lies at `first`.
+    #[must_use]
+    pub fn positions_from(&self, first: Position) -> Vec<Position> {
+        self.far().atlas.positions_from(first)
+    }
+
     /// Number of centers that have a chart so far.
     fn charts(&self) -> usize {
         self.far.get().unwrap_or(&self.near).atlas.charts.len()

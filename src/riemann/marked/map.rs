@@ -3,8 +3,8 @@
 use super::super::RiemannMap;
 use super::super::atlas::DiskPoint;
 use super::super::both_ways::Pointwise;
+use super::super::near_one::{exp_m1, ln_1p};
 use super::super::rounding::{is_on_circle, onto_disk};
-use super::elliptic::{exp_m1, ln_1p};
 use super::marks::Marks;
 use crate::plane::{Complex64, NOWHERE};
 

@@ -8,3 +8,4 @@ mod compose;
 mod exact;
 mod faults;
 mod margins;
+mod recentred;

@@ -1,7 +1,7 @@
 //! Corners of interior angle 0, where edges touch: exact answers by Möbius maps and strips.
 
 use super::curved::errors_of;
-use crate::support::{c, solve};
+use crate::support::{c, largest, solve};
 use conformal_warp::{Complex64, Edge, Error, Region, RiemannMap, SolveOptions};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -118,7 +118,9 @@ fn corners_of_angle_zero_keep_their_places() {
     assert_eq!(stored.to_disk(&points), map.to_disk(&points));
     let moved = map.with_center(c(0.3, 0.1), c(1.0, 0.0), &mut |_, _| true).unwrap();
     let again = RiemannMap::solve(moved.region(), &SolveOptions::default(), &mut |_, _| true).unwrap();
-    assert_eq!(again.to_disk(&points), moved.to_disk(&points));
+    let (found, expected) = (moved.to_disk(&points), again.to_disk(&points));
+    let error = largest(found.iter().zip(expected).map(|(a, b)| (a - b).norm()));
+    assert!(error <= moved.error_estimate() + again.error_estimate(), "{error:e}");
 }
 
 #[test]
