@@ -71,7 +71,7 @@ pub mod wasm;
 
 pub use cortex::{
     CorticalImage, CorticalModel, Degrees, FieldPoint, Gaze, HalfDiskMap, Hemisphere, Landmark, Mirrored, OutlineView,
-    RetinoCorticalMap, VisualCortex,
+    Remembered, RetinoCorticalMap, VisualCortex,
 };
 pub use error::{Error, Result};
 pub use formula::FormulaMap;

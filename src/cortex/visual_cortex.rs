@@ -1,6 +1,7 @@
 //! V1 of one hemisphere, whichever way its map was made.
 
 use super::model::twice_area;
+use super::remembered::{Memory, Remembered};
 use super::view::UpsideDown;
 use super::{CorticalModel, Degrees, Gaze, Mirrored, OutlineView, RetinoCorticalMap};
 use crate::map::{Compose, Inverse, InvertibleMap, Jet, PlaneMap};
@@ -27,13 +28,15 @@ pub struct VisualCortex {
     hemisphere: Hemisphere,
     /// Counter-clockwise, in millimetres.
     outline: Rc<[Complex64]>,
+    /// Of cortex → field coordinate, for eyes that move.
+    memory: Memory,
 }
 
 /// Vertices of a model's outline.
 const MODEL_VERTICES: usize = 720;
 
 /// Cortex → picture: what each point of the cortex sees. A warp that pulls back by it draws the cortical image.
-pub type CorticalImage = Compose<Inverse<Gaze>, Compose<Inverse<Degrees>, Inverse<VisualCortex>>>;
+pub type CorticalImage = Compose<Inverse<Gaze>, Remembered<Compose<Inverse<Degrees>, Inverse<VisualCortex>>>>;
 
 impl VisualCortex {
     /// The cortex of a closed formula.
@@ -69,11 +72,12 @@ impl VisualCortex {
     }
 
     fn of_left(map: impl InvertibleMap + 'static, outline: Vec<Complex64>, hemisphere: Hemisphere) -> Self {
+        let memory = Memory::default();
         match hemisphere {
-            Hemisphere::Left => Self { map: Rc::new(map), hemisphere, outline: outline.into() },
+            Hemisphere::Left => Self { map: Rc::new(map), hemisphere, outline: outline.into(), memory },
             Hemisphere::Right => {
                 let outline = outline.iter().rev().map(|w| Complex64::new(-w.re, w.im)).collect();
-                Self { map: Rc::new(Mirrored(map)), hemisphere, outline }
+                Self { map: Rc::new(Mirrored(map)), hemisphere, outline, memory }
             }
         }
     }
@@ -121,11 +125,11 @@ impl VisualCortex {
         jets.iter().map(Jet::stretch).collect()
     }
 
-    /// What this cortex sees of a picture through an eye.
+    /// What this cortex sees of a picture through an eye. Where its points look is remembered: the next eye costs less.
     #[must_use]
     pub fn seeing(&self, gaze: Gaze) -> CorticalImage {
         let field = Compose { outer: Degrees.inverted(), inner: self.clone().inverted() };
-        Compose { outer: gaze.inverted(), inner: field }
+        Compose { outer: gaze.inverted(), inner: Remembered::new(field, self.memory.clone()) }
     }
 }
 
