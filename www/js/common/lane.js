@@ -133,10 +133,11 @@ export class Lane {
       this.#questions.delete(reply.id);
       return;
     }
-    if (!("failure" in reply && reply.failure.code === "superseded")) this.#onReply(reply, this.#running);
-    if ("progress" in reply || "partial" in reply) return;
+    const job = this.#running;
     if ("result" in reply) this.#failures = 0;
+    // The worker goes on while the page shows what it has done.
     if ("failure" in reply && reply.failure.code === "crashed") this.#restart();
-    else this.#next();
+    else if ("result" in reply || "failure" in reply) this.#next();
+    if (!("failure" in reply && reply.failure.code === "superseded")) this.#onReply(reply, job);
   }
 }

@@ -136,11 +136,11 @@ function layOut() {
 
 /** @param {import("../common/scheduler.js").Care} care @returns {Omit<Job, "version" | "fine">} */
 function jobOf({ sharpness }) {
-  const { models: chosen, shear, own, landmarks, fieldOfView, fixation, dots } = store.value;
+  const { models: chosen, shear, own, landmarks, fieldOfView, fixation, dots, lines, circles } = store.value;
   const live = camera?.frame() ?? null;
   const [columns] = panels[0].view.grid(live ? 1 : sharpness);
   const recover = dots && !live ? { dots, view: seen.view(sharpness) } : null;
-  return { models: chosen, shear, own, landmarks, fieldOfView, fixation, columns, places: panels.map(({ view }) => view.place), recover, live };
+  return { models: chosen, shear, own, landmarks, fieldOfView, fixation, columns, places: panels.map(({ view }) => view.place), lines, circles, recover, live };
 }
 
 /** @param {Result} newest @param {boolean} done */

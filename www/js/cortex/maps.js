@@ -29,6 +29,8 @@ export const HEMISPHERES = [{ hemisphere: "right", side: -1 }, { hemisphere: "le
 
 /** Loose enough to be quick: the disk has radius 1, and a hemisphere 80 mm. */
 const TOLERANCE = 1e-6;
+/** Of a blind spot that is being moved: still far below a pixel. */
+const DRAFT_TOLERANCE = 1e-4;
 /** Outlines, and maps, that are kept. */
 const KEPT = 4;
 
@@ -36,10 +38,11 @@ const KEPT = 4;
 class Shelf {
   /** @type {Map<string, T>} */ #kept = new Map();
 
-  /** @param {string} key @param {() => T} make @returns {T} */
-  get(key, make) {
+  /** @param {string} key @param {() => T} make @param {(known: T) => boolean} serves whether what is kept is good enough @returns {T} */
+  get(key, make, serves) {
     const known = this.#kept.get(key);
-    const value = known ?? make();
+    const value = known && serves(known) ? known : make();
+    if (value !== known) known?.free();
     this.#kept.delete(key);
     this.#kept.set(key, value);
     const [oldest] = this.#kept.keys();
@@ -50,9 +53,9 @@ class Shelf {
     return value;
   }
 
-  /** @param {(key: string) => boolean} fits @returns {T | undefined} */
+  /** The newest that fits. @param {(key: string) => boolean} fits @returns {T | undefined} */
   find(fits) {
-    return [...this.#kept].find(([key]) => fits(key))?.[1];
+    return [...this.#kept].findLast(([key]) => fits(key))?.[1];
   }
 }
 
@@ -61,41 +64,50 @@ const solved = new Shelf();
 /** @type {Shelf<Cortex>} */
 const cortices = new Shelf();
 
-/** @param {Outline} outline */
-function solve({ boundary, center }) {
+/** @param {Outline} outline @param {number} tolerance */
+function solve({ boundary, center }, tolerance) {
   const [toward] = boundary;
   const shape = JSON.stringify(boundary);
-  return solved.get(JSON.stringify([boundary, center]), () => {
+  const make = () => {
     const same = solved.find((key) => key.startsWith(`[${shape},`));
-    if (same) return same.withCenter({ center, toward });
+    if (same) return same.withCenter({ center, toward, tolerance });
     const region = new Region({ boundary: flatten(boundary), center, toward });
     try {
       return RiemannMap.solve(region, { tolerance: TOLERANCE });
     } finally {
       region.free();
     }
-  });
+  };
+  return solved.get(JSON.stringify([boundary, center]), make, (known) => known.stop !== "tolerance" || known.errorEstimate <= tolerance);
 }
 
-/** @param {Spec} spec @param {Hemisphere} hemisphere */
-function mapOf(spec, hemisphere) {
-  if (spec.kind === "formula") return RetinoCorticalMap.model({ ...spec.options, hemisphere });
-  return RetinoCorticalMap.outline(solve(spec), { direction: spec.direction, hemisphere });
+/** @param {Spec} spec @param {number} tolerance */
+function mapsOf(spec, tolerance) {
+  if (spec.kind === "formula") return { error: 0, maps: HEMISPHERES.map(({ hemisphere }) => RetinoCorticalMap.model({ ...spec.options, hemisphere })) };
+  const map = solve(spec, tolerance);
+  const maps = HEMISPHERES.map(({ hemisphere }) => RetinoCorticalMap.outline(map, { direction: spec.direction, hemisphere }));
+  return { error: map.stop === "tolerance" ? map.errorEstimate : 0, maps };
 }
 
-/** The map of a spec, both hemispheres. @param {Spec} spec */
-export const cortexOf = (spec) => cortices.get(JSON.stringify(spec), () => new Cortex(spec));
+/** The map of a spec, both hemispheres; that of a draft may be a little off. @param {Spec} spec @param {boolean} fine */
+export function cortexOf(spec, fine) {
+  const tolerance = fine ? TOLERANCE : DRAFT_TOLERANCE;
+  return cortices.get(JSON.stringify(spec), () => new Cortex(spec, tolerance), ({ error }) => error <= tolerance);
+}
 
 /** Counts the maps. */
 let made = 0;
 
 export class Cortex {
   halves;
+  /** Of the map, in units of the disk; 0 where it is as good as it can be. */ error;
   /** @type {Drawn} */ drawn;
 
-  /** @param {Spec} spec */
-  constructor(spec) {
-    this.halves = HEMISPHERES.map(({ hemisphere, side }) => ({ side, map: mapOf(spec, hemisphere) }));
+  /** @param {Spec} spec @param {number} tolerance */
+  constructor(spec, tolerance) {
+    const { error, maps } = mapsOf(spec, tolerance);
+    this.error = error;
+    this.halves = HEMISPHERES.map(({ side }, k) => ({ side, map: maps[k] }));
     const { map } = this.halves[1];
     const outline = map.boundary;
     const points = unflatten(outline);
@@ -106,13 +118,19 @@ export class Cortex {
       half: { width: Math.max(...points.map(([x]) => Math.abs(x))), height: Math.max(...points.map(([, y]) => Math.abs(y))) },
       outline,
       lines: this.#carried(GRID),
-      circles: this.#carried(SMALL_CIRCLES),
+      circles: [],
       magnification: map.magnification(new Float64Array(eccentricities.flatMap((e) => [e, 0]))),
     };
   }
 
   free() {
     for (const { map } of this.halves) map.free();
+  }
+
+  /** What is shown of it, with circles where they are wanted. @param {boolean} circles */
+  drawnWith(circles) {
+    if (circles && !this.drawn.circles.length) this.drawn = { ...this.drawn, circles: this.#carried(SMALL_CIRCLES) };
+    return this.drawn;
   }
 
   /** The half in which a point of the cortex lies. @param {Point} point */

@@ -34,6 +34,8 @@ import { specOf } from "./specs.js";
  * @property {number} columns pixels of a panel
  * @property {(import("../common/placement.js").Placement | null)[]} places what each panel looks at; null for all
  * @property {boolean} fine
+ * @property {boolean} lines rings and rays, where they are wanted
+ * @property {boolean} circles
  * @property {{ dots: number, view: Frame } | null} recover the first panel's cortex keeps so many dots a millimetre
  * @property {Uint8ClampedArray | null} live the newest frame of a camera
  */
@@ -106,7 +108,7 @@ export class CortexPipeline {
     const recovered = recover && this.#recover(texture, frame, recover);
     const warpMs = performance.now() - begin;
     /** @type {Result} */
-    const result = { version, fine, half, sizes: views.map((both) => both.map(({ pixels }) => pixels)), panels, seen: linesOver(gaze), recovered, levels: stack?.levels ?? 0, warpMs };
+    const result = { version, fine, half, sizes: views.map((both) => both.map(({ pixels }) => pixels)), panels, seen: linesOver(gaze, job), recovered, levels: stack?.levels ?? 0, warpMs };
     const pictures = panels.flatMap((panel) => ("pixels" in panel ? panel.pixels : []));
     return { result, transfer: [...pictures, ...(recovered ? [recovered.pixels] : [])].map(({ buffer }) => buffer) };
   }
@@ -119,9 +121,9 @@ export class CortexPipeline {
       const spec = specOf(name, changes);
       const landmark = spec.kind === "outline" ? { center: spec.center, direction: spec.direction, fromFormula: Object.hasOwn(changes.landmarks, name) ? undefined : spec.fromFormula } : null;
       try {
-        const cortex = cortexOf(spec);
+        const cortex = cortexOf(spec, changes.fine);
         this.#eyes.push({ cortex, images: cortex.halves.map(({ map }) => map.seeing(gaze)) });
-        return { landmark, drawn: cortex.drawn, pixels: [] };
+        return { landmark, drawn: cortex.drawnWith(changes.circles), pixels: [] };
       } catch (error) {
         // A trap is no refusal: the worker is of no use any more.
         if (error instanceof WebAssembly.RuntimeError) throw error;
@@ -143,11 +145,11 @@ export class CortexPipeline {
     return warps;
   }
 
-  /** The upper cortex at any size, and its lines, to be saved. @param {Job & { lines: boolean, circles: boolean }} job @returns {Promise<import("../common/plate.js").Plate>} */
+  /** The upper cortex at any size, and its lines, to be saved. @param {Job} job @returns {Promise<import("../common/plate.js").Plate>} */
   async plate(job) {
     if (!this.#picture) throw new Error("There is no picture yet.");
     const { frame } = this.#picture;
-    const [panel] = this.#look({ ...job, models: [job.models[0]] }, { picture: frame, fieldOfView: job.fieldOfView, fixation: job.fixation });
+    const [panel] = this.#look({ ...job, fine: true, models: [job.models[0]] }, { picture: frame, fieldOfView: job.fieldOfView, fixation: job.fixation });
     const [eye] = this.#eyes;
     if (!eye || !("drawn" in panel)) throw new Error("refusal" in panel ? panel.refusal : "There is no map.");
     const stack = await this.#around(job.fixation, job.columns / 4);
@@ -245,22 +247,22 @@ function refusalOf(error) {
   return `${message} The picture stays as it was.`;
 }
 
-/** Any map of the field lays its lines over a picture alike: this one is a formula. @type {{ lines: Float64Array[], circles: Float64Array[], map: RetinoCorticalMap, side: number }[] | null} */
+/** Any map of the field lays its lines over a picture alike: this one is a formula. @type {{ lines: Float64Array[], circles: Float64Array[], map: RetinoCorticalMap }[] | null} */
 let rulers = null;
 
-/** Lines of the field over the picture that is looked at. @param {{ picture: Frame, fieldOfView: number, fixation: Point }} gaze */
-function linesOver(gaze) {
+/** Lines of the field over the picture that is looked at. @param {{ picture: Frame, fieldOfView: number, fixation: Point }} gaze @param {{ lines: boolean, circles: boolean }} wanted */
+function linesOver(gaze, wanted) {
   rulers ??= HEMISPHERES.map(({ hemisphere, side }) => {
     const map = RetinoCorticalMap.model({ k: POLIMENI.k, a: POLIMENI.a, hemisphere });
     /** @param {FieldLine[]} lines */
     const carried = (lines) => lines.map(({ field }) => map.toCortex(onSide(field, side)));
-    return { lines: carried(GRID), circles: carried(SMALL_CIRCLES), map, side };
+    return { lines: carried(GRID), circles: carried(SMALL_CIRCLES), map };
   });
   const halves = rulers.map(({ lines, circles, map }) => {
     const image = map.seeing(gaze);
-    /** @param {Float64Array[]} carried @param {FieldLine[]} named @returns {Line[]} */
-    const seen = (carried, named) => carried.map((line, k) => ({ name: named[k].name, at: finite(image.toPicture(line)) }));
-    const found = { lines: seen(lines, GRID), circles: seen(circles, SMALL_CIRCLES) };
+    /** @param {boolean} shown @param {Float64Array[]} carried @param {FieldLine[]} named @returns {Line[]} */
+    const seen = (shown, carried, named) => (shown ? carried.map((line, k) => ({ name: named[k].name, at: finite(image.toPicture(line)) })) : []);
+    const found = { lines: seen(wanted.lines, lines, GRID), circles: seen(wanted.circles, circles, SMALL_CIRCLES) };
     image.free();
     return found;
   });

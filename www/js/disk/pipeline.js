@@ -1,7 +1,7 @@
 // From a drawn region to a picture of the disk: the page's only way through the package, wherever it runs.
 
 import { JointTriangulation, Texture } from "../../pkg/index.js";
-import { diskFrame, scaledTo } from "../common/frame.js";
+import { diskFrame, flatten, scaledTo } from "../common/frame.js";
 import { arrowLines, meshEdges } from "../common/layers.js";
 import { carriedHeat, CIRCLE_FENCE, circleLine, diskLines, DRAFT_HEAT, fenceOf, FINE_HEAT, heatOf, regionLines } from "../editor/field.js";
 import { drawnLayers, heatPixels } from "../editor/overlays.js";
@@ -46,6 +46,7 @@ import { wayBetween } from "./homotopy.js";
  * @property {Evidence} evidence
  */
 
+/** `shape`: what it was made for, but for center and direction. @typedef {{ shape: string, key: string, center: Point, mesh: JointTriangulation, ms: number }} Meshed */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
 /** Rows that are drawn at once where a picture is saved. */
 const BAND = 256;
@@ -55,14 +56,18 @@ const PUSHED = { direction: /** @type {const} */ ("push-forward") };
 const CIRCLE = circleLine(1);
 /** Meshes are not made finer than for a view so wide. */
 const MESH_WIDTH = 0.5;
+/** While a vector is moved, the nodes of a mesh serve centers so far from its own: then its errors are hardly larger. */
+const CARRIED = 0.15;
 
 /** @implements {Pipeline<Job, Result>} */
 export class RegionPipeline {
   /** @type {{ texture: Texture, frame: Frame } | null} */
   #picture = null;
   #solved = new SolvedMap();
-  /** The last mesh: a new picture needs no other. @type {{ key: string, mesh: JointTriangulation, ms: number } | null} */
+  /** The last mesh: a new picture needs no other. @type {Meshed | null} */
   #meshed = null;
+  /** The same nodes for a vector that is being moved. @type {Meshed | null} */
+  #carried = null;
 
   /** @param {Uint8ClampedArray} pixels @param {Frame} frame */
   setPicture(pixels, frame) {
@@ -146,18 +151,37 @@ export class RegionPipeline {
     };
   }
 
-  /** @param {Job} job @param {RiemannMap} map */
-  #mesh({ boundary, path, center, toward, tolerance, maxErrorPixels, view }, map) {
+  /** @param {Job} job @param {RiemannMap} map @returns {Meshed} */
+  #mesh({ fine, boundary, path, center, toward, tolerance, maxErrorPixels, view }, map) {
     // A mesh for all of the disk: one looks closer at the same, only so far at a finer one.
     const frame = { ...diskFrame(view.pixels[0]), width: Math.max(view.width, MESH_WIDTH) };
-    const key = JSON.stringify([path || [...boundary], center, toward, tolerance, maxErrorPixels, frame]);
-    if (this.#meshed?.key === key) return this.#meshed;
+    const shape = JSON.stringify([path || [...boundary], tolerance, maxErrorPixels, frame]);
+    const key = JSON.stringify([center, toward, shape]);
+    const known = [this.#meshed, this.#carried].find((meshed) => meshed?.key === key);
+    if (known) return known;
     const begin = performance.now();
-    const mesh = JointTriangulation.regionToDisk(map, { maxErrorPixels, frame });
+    const carried = fine || this.#meshed?.shape !== shape ? null : carriedMesh(this.#meshed, map);
+    this.#carried?.mesh.free();
+    this.#carried = null;
+    const mesh = carried ?? JointTriangulation.regionToDisk(map, { maxErrorPixels, frame });
+    const made = { shape, key, center, mesh, ms: performance.now() - begin };
+    if (carried) return (this.#carried = made);
     this.#meshed?.mesh.free();
-    this.#meshed = { key, mesh, ms: performance.now() - begin };
-    return this.#meshed;
+    return (this.#meshed = made);
   }
+}
+
+/** The mesh's nodes where another map of its region takes them, if that has its center nearby. @param {Meshed} meshed @param {RiemannMap} map */
+function carriedMesh({ mesh, center }, map) {
+  const [x, y] = map.toDisk(flatten([center]));
+  if (!(Math.hypot(x, y) <= CARRIED)) return null;
+  const { source, triangles } = mesh;
+  const target = map.toDisk(source);
+  if (!target.every(Number.isFinite)) return null;
+  const carried = JointTriangulation.fromParts(source, target, triangles);
+  if (carried.flipped === 0) return carried;
+  carried.free();
+  return null;
 }
 
 /** The way to the disk, unless it is at its end. @param {Job} job @param {RiemannMap} map */

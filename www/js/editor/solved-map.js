@@ -8,6 +8,9 @@ import { readPath } from "./path.js";
 /** @typedef {import("./region.js").Carried} Outline */
 /** `corners`: points of the boundary, counter-clockwise: its corners, or where it has curves, as many points of it as it takes to look like it. `outline`: the same with its curves. @typedef {{ map: RiemannMap, corners: Float64Array, outline: import("./outline.js").Outline, ms: number }} Solved */
 
+/** A map that is at least so loose is a draft's; where its vector is moved, it may be off by so much, still half a pixel. */
+const [DRAFT, MOVED_DRAFT] = [1e-3, 4e-3];
+
 export class SolvedMap {
   /** @type {(Solved & { drawn: string, vector: string }) | null} */
   #last = null;
@@ -22,7 +25,7 @@ export class SolvedMap {
     const begin = performance.now();
     const { map, corners, outline } =
       last?.drawn === drawn
-        ? { map: last.map.withCenter({ center, toward, onProgress }), corners: last.corners, outline: last.outline }
+        ? { map: last.map.withCenter({ center, toward, tolerance: tolerance < DRAFT ? tolerance : MOVED_DRAFT, onProgress }), corners: last.corners, outline: last.outline }
         : solveAfresh(region, tolerance, onProgress);
     last?.map.free();
     this.#last = { drawn, vector, map, corners, outline, ms: performance.now() - begin };
