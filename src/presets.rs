@@ -52,7 +52,6 @@ impl Placement {
 
 /// Kinds of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Serialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Picture {
     /// Any photo.
     Photo,

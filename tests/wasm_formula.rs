@@ -84,7 +84,7 @@ fn overlays_are_new_pixels_or_go_over_given_ones() {
 
 #[wasm_bindgen_test]
 fn every_preset_can_be_made_into_a_map() {
-    let all = Array::from(&presets::all().unwrap().js_value());
+    let all = Array::from(&presets::all().js_value());
     assert!(all.length() >= 12);
     for preset in all {
         let [formula, params] = ["formula", "params"].map(|name| property(&preset, name));

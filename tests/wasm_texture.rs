@@ -65,3 +65,71 @@ fn wrong_options_are_named() {
     }
     assert_eq!(property(&texture("wrap: 'around'").unwrap_err(), "code"), "invalid-option");
 }
+
+/// What a warp with these options throws: the option's path and the message.
+fn refusal(options: &JsValue) -> (String, String) {
+    let thrown = identity(options).unwrap_err();
+    assert_eq!(property(&thrown, "code"), "invalid-option");
+    (property(&thrown, "option"), property(&thrown, "message"))
+}
+
+#[wasm_bindgen_test]
+fn what_is_wrong_inside_is_named_by_its_path() {
+    let texture = "texture: { center: [0, 0], width: 2, pixels: [2, 2] }";
+    let cases = [
+        ("view: { center: [0, 0], pixels: [4, 4] }", "view.width", "The option \"view.width\" is missing."),
+        (
+            "view: { center: [0, 0], width: 'a', pixels: [4, 4] }",
+            "view.width",
+            "The option \"view.width\" cannot be used: invalid type: string \"a\", expected a number.",
+        ),
+        (
+            "view: { center: [0, 0], width: 2, pixels: [4, 0.5] }",
+            "view.pixels",
+            "The option \"view.pixels\" cannot be used: expected two whole numbers [columns, rows].",
+        ),
+        (
+            "view: { center: [0, 0], width: 2, pixels: [4, 4], heigth: 2 }",
+            "view.heigth",
+            "There is no option \"view.heigth\"; there are center, width, pixels.",
+        ),
+        (
+            "view: { center: [0, 0], width: 2, pixels: [4, 4] }, rows: [0, 1.5]",
+            "rows[1]",
+            "The option \"rows[1]\" cannot be used: invalid type: number `1.5`, expected a whole number, 0 or more.",
+        ),
+        (
+            "view: { center: [0, 0], width: 2, pixels: [4, 4] }, rows: [0, 1, 2]",
+            "rows",
+            "The option \"rows\" cannot be used: invalid length 3, expected an array of length 2.",
+        ),
+        (
+            "view: { center: [0, 0], width: 2, pixels: [4, 4] }, quality: 'fine'",
+            "quality",
+            "The option \"quality\" cannot be used: unknown variant `fine`, expected one of `nearest`, `bilinear`, `trilinear`, `best`.",
+        ),
+        (
+            "view: 5",
+            "view",
+            "The option \"view\" cannot be used: expected an object with keys of center, width, pixels.",
+        ),
+    ];
+    for (more, path, message) in cases {
+        assert_eq!(refusal(&object(&format!("{texture}, {more}"))), (path.to_string(), message.to_string()));
+    }
+}
+
+#[wasm_bindgen_test]
+fn options_are_an_objects_own_keys_each_read_once() {
+    let reads = js_sys::eval("globalThis.reads = []").unwrap();
+    let counted = format!("get quality() {{ reads.push('quality'); return 'nearest'; }}, {FRAMES}");
+    assert!(identity(&object(&counted)).is_ok());
+    assert_eq!(js_sys::Array::from(&reads).length(), 1);
+
+    let thrown =
+        identity(&object(&format!("{FRAMES}, get rows() {{ throw new RangeError('not today'); }}"))).unwrap_err();
+    assert_eq!(property(&thrown, "name"), "RangeError");
+
+    // Neither belongs to the object's own names.
+    assert!(identity(&object(&format!("{FRAMES}, __proto__: {{ oops: 1 }}, [Symbol('oops')]: 1"))).is_ok());
+}

@@ -9,7 +9,6 @@ use crate::plane::Complex64;
 /// hemisphere's medial side, dorsal up). Outlines of measured brains are such. The closed formulas draw the upper field
 /// above, which is the mirror image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum OutlineView {
     /// As the formulas draw it: the map is conformal, the upper field on the left as one leaves the fovea.
     #[default]

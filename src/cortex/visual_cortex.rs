@@ -12,7 +12,6 @@ use std::rc::Rc;
 
 /// The two halves of the brain. Each sees the opposite half of the visual field.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Hemisphere {
     /// Sees the right half of the field.
     #[default]

@@ -33,7 +33,6 @@ pub(super) enum Shape {
 
 /// Why a mesh has no more nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Serialize, tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum MeshStop {
     /// It has the density that was asked for: the spacing, or an error within the bound.
     #[default]

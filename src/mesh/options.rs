@@ -27,7 +27,6 @@ impl Density {
 
 /// How a sample of the first region finds its place in the second.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Route {
     /// Through the disk by both Riemann maps.
     #[default]

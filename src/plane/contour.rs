@@ -9,7 +9,6 @@ use std::sync::Arc;
 
 /// How the boundary points are joined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Curve {
     /// Straight edges join them.
     #[default]
@@ -17,7 +16,6 @@ pub enum Curve {
     /// The trigonometric interpolant joins them: a smooth curve through points that follow it evenly.
     Smooth,
     /// It consists of edges, lines and curves as they were drawn: [`Region::from_edges`](super::Region::from_edges).
-    #[cfg_attr(target_arch = "wasm32", serde(skip))]
     Edges,
 }
 

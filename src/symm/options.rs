@@ -74,7 +74,6 @@ pub(crate) fn unless_cancelled<T>(progress: Progress, build: impl FnOnce(Progres
 
 /// Why a solve ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Serialize, tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum Stop {
     /// The error estimate is below the tolerance.
     Tolerance,

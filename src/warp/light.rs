@@ -4,7 +4,6 @@ use std::sync::OnceLock;
 
 /// The quantity that is averaged when texels become the coarser levels of a texture, and interpolated in the best quality.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Light {
     /// The light itself: bytes are decoded by the sRGB curve (IEC 61966-2-1) first, and encoded at the end.
     #[default]

@@ -7,11 +7,6 @@ use std::ops::Range;
 
 /// Which way a map is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(
-    target_arch = "wasm32",
-    derive(serde::Deserialize, serde::Serialize, tsify::Tsify),
-    serde(rename_all = "kebab-case")
-)]
 pub enum Direction {
     /// The view's point p shows the texture at f(p).
     #[default]
@@ -28,7 +23,6 @@ pub enum Direction {
 
 /// How texels become a pixel, from fast to good.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum Quality {
     /// The nearest texel.
     Nearest,
@@ -45,11 +39,6 @@ pub enum Quality {
 
 /// What lies beyond the edges of a texture that is pulled back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(
-    target_arch = "wasm32",
-    derive(serde::Deserialize, serde::Serialize, tsify::Tsify),
-    serde(rename_all = "lowercase")
-)]
 pub enum Wrap {
     /// Nothing.
     #[default]

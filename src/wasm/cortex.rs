@@ -7,22 +7,34 @@ use super::options::{self, FrameOptions, Point};
 use super::overlay::{self, OverlayOptions};
 use super::points;
 use super::prepared::PreparedWarp;
+use super::reading::fields;
 use super::riemann::RiemannMap;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions};
+use super::words::words;
 use crate::Error;
 use crate::cortex::{self, CorticalModel, FieldPoint, Gaze, Hemisphere, Landmark, OutlineView, VisualCortex};
 use crate::map::{InvertibleMap, Jet, PlaneMap};
 use crate::plane::{Complex64, Frame};
 use crate::warp::{Direction, Quality, WarpOptions, recovery};
 use js_sys::{Array, Object, Reflect, Uint8ClampedArray};
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+words! {
+    /// The two halves of the brain. Each sees the opposite half of the visual field.
+    Hemisphere { Left = "left", Right = "right" }
+
+    /// How an outline of V1 was laid flat.
+    ///
+    /// V1 is a mirror image of the visual field: seen from outside, with the fovea on the left, the lower field lies above (a left
+    /// hemisphere's medial side, dorsal up). Outlines of measured brains are such. The closed formulas draw the upper field
+    /// above, which is the mirror image.
+    OutlineView { Mirrored = "mirrored", Pial = "pial" }
+}
+
 /// A closed formula for the cortex: monopole without `b`, dipole with it, wedge-dipole with `shear` too.
-#[derive(Debug, Deserialize, Tsify)]
-#[serde(rename_all = "camelCase")]
+#[derive(Debug, Tsify)]
 pub struct CorticalModelOptions {
     /// Scale in millimetres.
     pub k: f64,
@@ -41,10 +53,10 @@ pub struct CorticalModelOptions {
     #[tsify(optional)]
     pub area: Option<f64>,
     /// "left" (the default) sees the right half of the field, "right" the left half.
-    #[serde(default)]
     #[tsify(optional)]
-    pub hemisphere: Hemisphere,
+    pub hemisphere: Option<Hemisphere>,
 }
+fields!(CorticalModelOptions: k, a, b, shear, extent, area, hemisphere);
 
 impl CorticalModelOptions {
     fn model(&self) -> crate::Result<CorticalModel> {
@@ -56,8 +68,7 @@ impl CorticalModelOptions {
 }
 
 /// What fixes the map of an outline: a landmark of the field and the way of the horizontal meridian there.
-#[derive(Debug, Deserialize, Tsify)]
-#[serde(rename_all = "camelCase")]
+#[derive(Debug, Tsify)]
 pub struct LandmarkOptions {
     /// The landmark in the right half of the field, in degrees; the blind spot, [15, −1.5], by default. It goes to the
     /// center of the outline's region.
@@ -69,17 +80,16 @@ pub struct LandmarkOptions {
     /// From which side the outline is seen. V1 is a mirror image of the field: an outline of a measured brain, laid flat as it
     /// is seen from outside ("pial"), has the lower field above, where the fovea is on the left. "mirrored" (the
     /// default) has the upper field above, as the closed formulas do.
-    #[serde(default)]
     #[tsify(optional)]
-    pub view: OutlineView,
+    pub view: Option<OutlineView>,
     /// "left" (the default), as the outline is, or "right": its mirror image.
-    #[serde(default)]
     #[tsify(optional)]
-    pub hemisphere: Hemisphere,
+    pub hemisphere: Option<Hemisphere>,
 }
+fields!(LandmarkOptions: landmark, direction, view, hemisphere);
 
 /// An eye before a picture.
-#[derive(Debug, Deserialize, Tsify)]
+#[derive(Debug, Tsify)]
 #[serde(rename_all = "camelCase")]
 pub struct GazeOptions {
     /// Where the picture lies in its plane.
@@ -89,9 +99,10 @@ pub struct GazeOptions {
     /// The point of the picture's plane that is fixated.
     pub fixation: Point,
 }
+fields!(GazeOptions: picture, field_of_view, fixation);
 
 /// A picture on the cortex at finite resolution, and where it is drawn back.
-#[derive(Debug, Deserialize, Tsify)]
+#[derive(Debug, Tsify)]
 pub struct RecoverOptions {
     /// Where the texture lies in the picture's plane.
     pub texture: FrameOptions,
@@ -100,14 +111,13 @@ pub struct RecoverOptions {
     /// Which part of the picture's plane is drawn.
     pub view: FrameOptions,
     /// "trilinear" by default, there and back.
-    #[serde(default)]
     #[tsify(optional)]
-    pub quality: Quality,
+    pub quality: Option<Quality>,
     /// The other hemisphere's half, to which this one is added.
-    #[serde(default, deserialize_with = "options::object")]
     #[tsify(optional, type = "Uint8ClampedArray")]
     pub out: Option<Uint8ClampedArray>,
 }
+fields!(RecoverOptions: texture, cortex, view, quality, out);
 
 /// The map visual field → V1 of one hemisphere. Points of the field are E·e^{iθ} in degrees, `[x0, y0, x1, y1, …]` with x to
 /// the right and y up as the eye sees them; points of the cortex are in millimetres.
@@ -129,7 +139,7 @@ impl RetinoCorticalMap {
     /// Throws "invalid-map" or "invalid-option".
     pub fn model(options: Ts<CorticalModelOptions>) -> Result<Self, Failure> {
         let options = options::read(&options)?;
-        let cortex = VisualCortex::from_model(options.model()?, options.hemisphere);
+        let cortex = VisualCortex::from_model(options.model()?, options.hemisphere.unwrap_or_default());
         Ok(Self { cortex, landmark_error: None })
     }
 
@@ -138,6 +148,7 @@ impl RetinoCorticalMap {
     /// Throws "invalid-map" if the landmark is not inside the right half of the field, or "invalid-option".
     pub fn outline(map: &RiemannMap, options: Ts<LandmarkOptions>) -> Result<Self, Failure> {
         let LandmarkOptions { landmark, direction, view, hemisphere } = options::read(&options)?;
+        let (view, hemisphere) = (view.unwrap_or_default(), hemisphere.unwrap_or_default());
         let field = field_point(landmark.map(Into::into));
         let cortex = map.inner().region().center();
         let landmark = Landmark { field: view.coordinate(field.coordinate()), cortex, direction };
@@ -226,7 +237,7 @@ impl RetinoCorticalMap {
     ///
     /// Throws "invalid-option".
     pub fn frame(&self, dots_per_millimetre: f64) -> Result<Ts<FrameOptions>, Failure> {
-        options::write(&FrameOptions::from(self.cortex.frame(dots_per_millimetre)?))
+        Ok(options::write(FrameOptions::from(self.cortex.frame(dots_per_millimetre)?)))
     }
 
     /// What this cortex sees of a picture.
@@ -286,7 +297,10 @@ impl CorticalImage {
     /// Throws as `warp` does.
     pub fn recover(&self, texture: &Texture, options: Ts<RecoverOptions>) -> Result<Uint8ClampedArray, Failure> {
         let RecoverOptions { texture: frame, cortex, view, quality, out } = options::read(&options)?;
-        let options = WarpOptions { quality, ..WarpOptions::new(frame.try_into()?, view.try_into()?) };
+        let options = WarpOptions {
+            quality: quality.unwrap_or_default(),
+            ..WarpOptions::new(frame.try_into()?, view.try_into()?)
+        };
         let half = recovery::recover(&self.0, &cortex.try_into()?, texture.inner(), &options)?;
         let Some(out) = out else {
             return Ok(Uint8ClampedArray::from(&half[..]));

@@ -19,10 +19,10 @@ pub enum Drawn {
 
 /// The ways to give a boundary, of which options hold one.
 pub struct Given {
-    pub boundary: Option<Vec<f64>>,
+    pub boundary: Option<Float64Array>,
     pub path: Option<String>,
     pub edges: Option<JsValue>,
-    pub through: Option<Vec<f64>>,
+    pub through: Option<Float64Array>,
     pub corners: Option<Vec<usize>>,
 }
 
@@ -37,11 +37,13 @@ impl Given {
             return Err(Failure::option("corners", "The option \"corners\" goes with \"through\" alone."));
         }
         match (self.boundary, self.path, self.edges, self.through) {
-            (Some(boundary), None, None, None) => Ok(Drawn::Points(points::from_flat("The boundary", &boundary)?)),
+            (Some(boundary), None, None, None) => {
+                Ok(Drawn::Points(points::from_flat("The boundary", &boundary.to_vec())?))
+            }
             (None, Some(path), None, None) => Ok(Drawn::Edges(read_path(&path)?)),
             (None, None, Some(edges), None) => Ok(Drawn::Edges(edges_of(&edges)?)),
             (None, None, None, Some(through)) => {
-                let points = points::from_flat("The points", &through)?;
+                let points = points::from_flat("The points", &through.to_vec())?;
                 Ok(Drawn::Edges(plane::spline(&points, &self.corners.unwrap_or_default())?))
             }
             _ => {

@@ -4,12 +4,12 @@ use super::error::Failure;
 use super::level_lines::{self, LevelLines};
 use super::options::{self, FrameOptions};
 use super::points;
+use super::reading::fields;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::solved_methods;
 use crate::Error;
 use crate::riemann::Conductors;
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -17,8 +17,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 const MOST_LINES: usize = 10_000;
 
 /// What is known of the conductors: one number for each, the outer boundary first if there is one, then the holes or bodies.
-#[derive(Debug, Default, Deserialize, Tsify)]
-#[serde(default)]
+#[derive(Debug, Default, Tsify)]
 pub struct ConductorOptions {
     /// Their potentials.
     #[tsify(optional)]
@@ -27,6 +26,7 @@ pub struct ConductorOptions {
     #[tsify(optional)]
     pub charges: Option<Vec<f64>>,
 }
+fields!(ConductorOptions: potentials, charges);
 
 /// The electric field between conductors: cylinders whose cross-section are the components of a region's boundary. Everything is
 /// a unit of length, with ε₀ = 1.

@@ -5,25 +5,25 @@ use super::drawn::{Given, directed, domain_of};
 use super::error::Failure;
 use super::options::{self, Point};
 use super::points;
+use super::reading::fields;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::{prepare_method, solved_methods};
 use super::warp;
 use crate::map::PlaneMap;
 use crate::plane::{self, Curve};
 use crate::warp::Direction;
-use serde::Deserialize;
+use js_sys::Float64Array;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A body whose outside is mapped.
-#[derive(Debug, Deserialize, Tsify)]
+#[derive(Debug, Tsify)]
 pub struct BodyOptions {
     /// The boundary points `[x0, y0, x1, y1, …]`, in either orientation. A boundary is given by this, by `path`, by `edges` or by
     /// `through`, as that of a region.
-    #[serde(default, deserialize_with = "options::some_numbers")]
     #[tsify(optional, type = "Float64Array")]
-    pub boundary: Option<Vec<f64>>,
+    pub boundary: Option<Float64Array>,
     /// How the boundary points are joined; "polygon" by default.
     #[tsify(optional)]
     pub curve: Option<Curve>,
@@ -31,13 +31,11 @@ pub struct BodyOptions {
     #[tsify(optional)]
     pub path: Option<String>,
     /// The boundary as a closed chain of edges.
-    #[serde(default, deserialize_with = "options::some_value")]
     #[tsify(optional, type = "EdgeOptions[]")]
     pub edges: Option<JsValue>,
     /// Points `[x0, y0, x1, y1, …]` through which the boundary goes, smoothly but for `corners`.
-    #[serde(default, deserialize_with = "options::some_numbers")]
     #[tsify(optional, type = "Float64Array")]
-    pub through: Option<Vec<f64>>,
+    pub through: Option<Float64Array>,
     /// Indices of the points of `through` that are corners; none by default.
     #[tsify(optional)]
     pub corners: Option<Vec<usize>>,
@@ -45,6 +43,7 @@ pub struct BodyOptions {
     #[tsify(optional)]
     pub toward: Option<Point>,
 }
+fields!(BodyOptions: boundary, curve, path, edges, through, corners, toward);
 
 /// The conformal map of the outside of a body onto the outside of the unit disk, infinity staying where it is.
 #[wasm_bindgen]

@@ -4,18 +4,18 @@ use super::error::Failure;
 use super::level_lines::{self, LevelLines};
 use super::options::{self, FrameOptions};
 use super::points;
+use super::reading::{Read, Refused, fields};
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::solved_methods;
 use crate::Error;
 use crate::riemann::{Circulation, FlowLines};
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
+use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// What comes from far away, and how it turns around the bodies.
-#[derive(Debug, Default, Deserialize, Tsify)]
-#[serde(default)]
+#[derive(Debug, Default, Tsify)]
 pub struct FlowOptions {
     /// The speed far away, 1 by default.
     #[tsify(optional)]
@@ -31,15 +31,21 @@ pub struct FlowOptions {
     #[tsify(optional, type = "number[]")]
     pub trailing: Option<Vec<usize>>,
 }
+fields!(FlowOptions: speed, angle, circulation, trailing);
 
 /// The circulation as options hold it.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(untagged)]
+#[derive(Clone, Debug)]
 pub enum CirculationOption {
     /// Numbers.
     Given(Vec<f64>),
     /// A name.
     Named(String),
+}
+
+impl Read for CirculationOption {
+    fn read(value: &JsValue) -> Result<Self, Refused> {
+        if value.is_string() { String::read(value).map(Self::Named) } else { Vec::read(value).map(Self::Given) }
+    }
 }
 
 /// What flow is asked for.

@@ -4,21 +4,31 @@ use super::error::Failure;
 use super::options::{self, Point};
 use super::overlay::{self, OverlayOptions};
 use super::points;
+use super::reading::{Read, Refused, entries, fields};
 use super::warp::{self};
 use crate::warp::Direction;
 use js_sys::{Object, Uint8ClampedArray};
-use serde::Deserialize;
-use std::collections::BTreeMap;
 use tsify::{Ts, Tsify};
+use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// What belongs to a formula.
-#[derive(Debug, Default, Deserialize, Tsify)]
-#[serde(default)]
+#[derive(Debug, Default, Tsify)]
 pub struct FormulaOptions {
     /// The parameters that the formula may name, with their first values `[re, im]`.
     #[tsify(optional, type = "Record<string, [re: number, im: number]>")]
-    pub params: BTreeMap<String, Point>,
+    pub params: Option<Parameters>,
+}
+fields!(FormulaOptions: params);
+
+/// Parameters and their first values.
+#[derive(Debug)]
+pub struct Parameters(Vec<(String, Point)>);
+
+impl Read for Parameters {
+    fn read(value: &JsValue) -> Result<Self, Refused> {
+        entries(value).map(Self)
+    }
 }
 
 /// A map plane → plane given by a formula in z, compiled once: `new FormulaMap("(z - 1)/(z + 1)")`.
@@ -44,7 +54,8 @@ impl FormulaMap {
     #[wasm_bindgen(constructor)]
     pub fn new(text: &str, options: Option<Ts<FormulaOptions>>) -> Result<Self, Failure> {
         let FormulaOptions { params } = options::read_or_default(options.as_ref())?;
-        let params: Vec<_> = params.iter().map(|(name, &value)| (name.as_str(), value.into())).collect();
+        let params: Vec<_> =
+            params.iter().flat_map(|params| &params.0).map(|(name, value)| (name.as_str(), (*value).into())).collect();
         Ok(Self(crate::formula::FormulaMap::with_params(text, &params)?))
     }
 

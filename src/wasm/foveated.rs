@@ -2,15 +2,15 @@
 
 use super::error::Failure;
 use super::options::{self, FrameOptions, Point};
+use super::reading::fields;
 use super::texture::{Texture, reader};
 use crate::warp::{self, Light};
 use js_sys::Uint8Array;
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Where a picture lies, and where it needs its detail.
-#[derive(Debug, Deserialize, Tsify)]
+#[derive(Debug, Tsify)]
 pub struct FoveatedOptions {
     /// The picture's frame; its pixel counts are the picture's.
     pub picture: FrameOptions,
@@ -20,10 +20,10 @@ pub struct FoveatedOptions {
     #[tsify(optional)]
     pub side: Option<usize>,
     /// "linear" (the default) or "plain": the light in which pixels are averaged.
-    #[serde(default)]
     #[tsify(optional)]
-    pub light: Light,
+    pub light: Option<Light>,
 }
+fields!(FoveatedOptions: picture, fixation, side, light);
 
 /// Pixels along each side of a level, unless asked otherwise.
 const SIDE: usize = 512;
@@ -45,7 +45,7 @@ impl FoveatedTexture {
         options: Ts<FoveatedOptions>,
     ) -> Result<Self, Failure> {
         let FoveatedOptions { picture, fixation, side, light } = options::read(&options)?;
-        let (picture, side) = (picture.try_into()?, side.unwrap_or(SIDE));
+        let (picture, side, light) = (picture.try_into()?, side.unwrap_or(SIDE), light.unwrap_or_default());
         let (length, fixation) = (rgba.length() as usize, fixation.into());
         let stack = warp::FoveatedTexture::around_rows(length, &mut reader(rgba), &picture, fixation, side, light)?;
         Ok(Self(stack))
@@ -72,7 +72,7 @@ impl FoveatedTexture {
     pub fn crops(options: Ts<FoveatedOptions>) -> Result<Vec<Ts<FrameOptions>>, Failure> {
         let FoveatedOptions { picture, fixation, side, .. } = options::read(&options)?;
         let crops = warp::FoveatedTexture::crops(&picture.try_into()?, fixation.into(), side.unwrap_or(SIDE))?;
-        crops.into_iter().map(|crop| options::write(&FrameOptions::from(crop))).collect()
+        Ok(crops.into_iter().map(|crop| options::write(FrameOptions::from(crop))).collect())
     }
 
     /// Number of levels.

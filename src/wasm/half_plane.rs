@@ -4,22 +4,23 @@ use super::canonical::joinable;
 use super::error::Failure;
 use super::options::{self, Point};
 use super::points;
+use super::reading::fields;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::solved_methods;
 use super::warp;
 use crate::map::PlaneMap;
 use crate::warp::Direction;
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The point that goes to infinity.
-#[derive(Debug, Deserialize, Tsify)]
+#[derive(Debug, Tsify)]
 pub struct HalfPlaneOptions {
     /// The point of the boundary that goes to infinity; snapped to the boundary.
     pub pole: Point,
 }
+fields!(HalfPlaneOptions: pole);
 
 /// The conformal map of a region onto the upper half plane that takes a boundary point to infinity and `center` to i.
 #[wasm_bindgen]

@@ -5,12 +5,14 @@ use super::memory;
 use super::options::{self, FrameOptions};
 use super::points;
 use super::progress::Progress;
+use super::reading::fields;
 use super::riemann::RiemannMap;
 use super::warp;
+use super::words::words;
+use super::writing::written;
 use crate::mesh::{self, Density, MeshOptions, MeshStop, Route};
 use crate::warp::Direction;
 use js_sys::Function;
-use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -22,9 +24,17 @@ export type MeshOptions =
     | (Omit<SamplingOptions, 'spacing' | 'frame'> & { spacing?: undefined; frame: Frame });
 ";
 
+words! {
+    /// How a sample of the first region finds its place in the second.
+    Route { Exact = "exact", Located = "located" }
+
+    /// Why a mesh has no more nodes.
+    MeshStop { Density = "density", Crowded = "crowded", MaxNodes = "max-nodes" }
+}
+
 /// How densely the regions are sampled: either `spacing`, or `maxErrorPixels` and `frame`.
-#[derive(Debug, Default, Deserialize, Tsify)]
-#[serde(rename_all = "camelCase", default)]
+#[derive(Debug, Default, Tsify)]
+#[serde(rename_all = "camelCase")]
 pub struct SamplingOptions {
     /// The paper's rectangular grid over the source, with this distance between samples in plane units.
     #[tsify(optional)]
@@ -38,12 +48,12 @@ pub struct SamplingOptions {
     /// How samples get from region to region: "exact", by both maps, or "located", as the paper did, by finding the
     /// triangle of the second region around each.
     #[tsify(optional)]
-    pub route: Route,
+    pub route: Option<Route>,
     /// Told the stage and the fraction of it that is done; `false` cancels, and the call throws "cancelled".
-    #[serde(deserialize_with = "options::object")]
     #[tsify(optional, type = "(stage: string, fraction: number) => boolean | void")]
     pub on_progress: Option<Function>,
 }
+fields!(SamplingOptions: spacing, max_error_pixels, frame, route, on_progress);
 
 impl TryFrom<SamplingOptions> for Density {
     type Error = Failure;
@@ -61,7 +71,7 @@ impl TryFrom<SamplingOptions> for Density {
 
 impl SamplingOptions {
     fn into_mesh_options(mut self) -> Result<(MeshOptions, Progress), Failure> {
-        let (route, progress) = (self.route, Progress::new(self.on_progress.take()));
+        let (route, progress) = (self.route.unwrap_or_default(), Progress::new(self.on_progress.take()));
         Ok((MeshOptions { density: self.try_into()?, route }, progress))
     }
 }
@@ -184,7 +194,7 @@ impl JointTriangulation {
     #[wasm_bindgen(getter)]
     pub fn evidence(&self) -> Result<Ts<MeshEvidence>, Failure> {
         let found = self.0.evidence();
-        options::write(&MeshEvidence {
+        Ok(options::write(MeshEvidence {
             flipped_at_first: found.flipped_at_first,
             added: found.added,
             mended: found.mended,
@@ -198,7 +208,7 @@ impl JointTriangulation {
             route_difference_pixels: found.route_difference_pixels(),
             largest_angle_error: self.0.largest_angle_error(),
             mean_angle_error: self.0.mean_angle_error(),
-        })
+        }))
     }
 
     /// Proves that both copies are triangulations of their outlines: every triangle counter-clockwise, no overlap, the
@@ -228,7 +238,7 @@ warp::warp_methods! {
 }
 
 /// What the making of a joint triangulation found out about it.
-#[derive(Debug, Serialize, Tsify)]
+#[derive(Debug, Tsify)]
 #[serde(rename_all = "camelCase")]
 pub struct MeshEvidence {
     /// Triangles of the first connectivity that were flipped or degenerate in the target.
@@ -267,3 +277,7 @@ pub struct MeshEvidence {
     /// The mean change of an angle over the target's area, in radians: what the picture shows of the distortion.
     pub mean_angle_error: f64,
 }
+written!(
+    MeshEvidence: flipped_at_first, added, mended, moved, largest_error, stop, largest_error_pixels, crowded_error,
+    crowded_error_pixels, route_difference, route_difference_pixels, largest_angle_error, mean_angle_error
+);

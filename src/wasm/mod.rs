@@ -2,7 +2,7 @@
 //!
 //! One file a class; its documentation is written for JavaScript, where it becomes the package's types and their help.
 //! What the classes share: [`error`] (an error → `Error` with a `code`), [`options`] (plain objects → Rust structs,
-//! with errors in words), [`points`] (`Float64Array` ↔ complex numbers), [`progress`] (the caller's `onProgress`),
+//! with errors in words: by [`reading`] and, back, [`writing`]; `words` are the values of enums), [`points`] (`Float64Array` ↔ complex numbers), [`progress`] (the caller's `onProgress`),
 //! [`memory`] (room made at once), [`warp`] (the methods `warp` and `paint`), [`prepared`] (the method `prepareWarp`),
 //! [`overlay`] (the method `overlay`), [`drawn`] (the ways to give a boundary), [`level_lines`] (lines of maps, fields and flows).
 
@@ -39,6 +39,7 @@ pub mod points;
 pub mod prepared;
 pub mod presets;
 pub mod progress;
+pub mod reading;
 #[cfg(feature = "regions")]
 pub mod rectangle;
 #[cfg(feature = "regions")]
@@ -55,6 +56,8 @@ mod solved;
 pub mod strip;
 pub mod texture;
 pub mod warp;
+mod words;
+pub mod writing;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -2,16 +2,16 @@
 
 use super::error::Failure;
 use super::options::{self, FrameOptions};
+use super::reading::fields;
+use super::words::words;
 use crate::map::PlaneMap;
 use crate::plane::Frame;
 use crate::warp::{Overlay, Stroke, WarpOptions, buffer};
 use js_sys::Uint8ClampedArray;
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
 
 /// What can be drawn over a view whose point p is taken to f(p).
-#[derive(Clone, Copy, Debug, Deserialize, Tsify)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug)]
 pub enum OverlayKind {
     /// Lines of constant Re f and Im f.
     Cartesian,
@@ -25,9 +25,15 @@ pub enum OverlayKind {
     Argument,
 }
 
+words! {
+    /// What can be drawn over a view whose point p is taken to f(p).
+    OverlayKind {
+        Cartesian = "cartesian", Polar = "polar", Circle = "circle", Stretch = "stretch", Argument = "argument"
+    }
+}
+
 /// A drawing that explains a map, to be laid over its picture.
-#[derive(Debug, Deserialize, Tsify)]
-#[serde(rename_all = "camelCase")]
+#[derive(Debug, Tsify)]
 pub struct OverlayOptions {
     /// "cartesian": lines where Re f or Im f is a multiple of `spacing`. "polar": `spokes` rays of constant arg f, and
     /// the rings that make squares with them. "circle": where |f| is `radius`. "stretch": |f'| as colours, blue below
@@ -57,13 +63,13 @@ pub struct OverlayOptions {
     #[tsify(optional, type = "[red: number, green: number, blue: number, alpha: number]")]
     pub color: Option<[u8; 4]>,
     /// Pixels to draw over, 4 · columns · rows bytes; transparent ones by default.
-    #[serde(default, deserialize_with = "options::object")]
     #[tsify(optional, type = "Uint8ClampedArray")]
     pub out: Option<Uint8ClampedArray>,
     /// The band of rows to draw, [first, the one after the last].
     #[tsify(optional, type = "[first: Count, end: Count]")]
     pub rows: Option<[usize; 2]>,
 }
+fields!(OverlayOptions: kind, view, spacing, spokes, radius, doublings, opacity, width, color, out, rows);
 
 impl OverlayKind {
     const ALL: [Self; 5] = [Self::Cartesian, Self::Polar, Self::Circle, Self::Stretch, Self::Argument];

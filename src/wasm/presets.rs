@@ -1,13 +1,14 @@
 //! The presets in JavaScript.
 
-use super::error::Failure;
 use super::options;
-use crate::plane::Complex64;
+use super::points;
+use super::words::words;
+use super::writing::{object, written};
 use crate::presets::{self, Picture, Placement};
 use crate::warp::{Direction, Wrap};
-use serde::Serialize;
-use std::collections::BTreeMap;
+use js_sys::Array;
 use tsify::{Ts, Tsify};
+use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -17,7 +18,7 @@ export type PlacementOptions = Placement;
 ";
 
 /// A formula and how to look at it: `new FormulaMap(preset.formula, { params: preset.params })`.
-#[derive(Debug, Serialize, Tsify)]
+#[derive(Debug, Tsify)]
 pub struct Preset {
     /// A short stable name: letters and hyphens.
     pub name: &'static str,
@@ -29,7 +30,7 @@ pub struct Preset {
     pub formula: &'static str,
     /// Its parameters and their first values.
     #[tsify(type = "Record<string, [re: number, im: number]>")]
-    pub params: BTreeMap<&'static str, [f64; 2]>,
+    pub params: JsValue,
     /// Which way the formula is used.
     pub direction: Direction,
     /// Where the picture lies.
@@ -41,46 +42,51 @@ pub struct Preset {
     /// The kind of picture that shows it best.
     pub picture: Picture,
 }
+written!(Preset: name, title, shows, formula, params, direction, texture, view, wrap, picture);
 
 /// A frame without pixel counts.
-#[derive(Debug, Serialize, Tsify)]
+#[derive(Debug, Tsify)]
 #[tsify(rename = "Placement")]
 pub struct PlacementOptions {
     /// The middle, in the plane.
     #[tsify(type = "[x: number, y: number]")]
-    pub center: [f64; 2],
+    pub center: Array,
     /// Width in plane units.
     pub width: f64,
 }
+written!(PlacementOptions: center, width);
 
 /// All presets.
-#[derive(Debug, Serialize, Tsify)]
-#[serde(transparent)]
-#[tsify(hashmap_as_object)]
-pub struct Presets(Vec<Preset>);
+#[derive(Debug, Tsify)]
+#[tsify(type = "Preset[]")]
+pub struct Presets(#[tsify(type = "Preset[]")] Array);
 
-fn pair(z: Complex64) -> [f64; 2] {
-    [z.re, z.im]
+impl From<Presets> for JsValue {
+    fn from(presets: Presets) -> Self {
+        presets.0.into()
+    }
+}
+
+words! {
+    /// Kinds of pictures.
+    Picture { Photo = "photo", Lattice = "lattice" }
 }
 
 impl From<Placement> for PlacementOptions {
     fn from(Placement { center, width }: Placement) -> Self {
-        Self { center: pair(center), width }
+        Self { center: points::pair(center), width }
     }
 }
 
 impl From<&presets::Preset> for Preset {
     fn from(preset: &presets::Preset) -> Self {
+        let parameters = preset.params.iter().map(|&(name, value)| (name, points::pair(value).into()));
         Self {
             name: preset.name,
             title: preset.title,
             shows: preset.shows,
             formula: preset.formula,
-            // Not collected: that would compile one more sort.
-            params: preset.params.iter().fold(BTreeMap::new(), |mut params, &(name, value)| {
-                params.insert(name, pair(value));
-                params
-            }),
+            params: object(&parameters.collect::<Vec<_>>()),
             direction: preset.direction,
             texture: preset.texture.into(),
             view: preset.view.into(),
@@ -92,6 +98,6 @@ impl From<&presets::Preset> for Preset {
 
 /// Named formulas with frames that show them well: the report's figures 1 and 2, and the classics.
 #[wasm_bindgen(js_name = presets)]
-pub fn all() -> Result<Ts<Presets>, Failure> {
-    options::write(&Presets(presets::PRESETS.iter().map(Preset::from).collect()))
+pub fn all() -> Ts<Presets> {
+    options::write(Presets(presets::PRESETS.iter().map(Preset::from).map(JsValue::from).collect()))
 }

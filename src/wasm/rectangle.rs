@@ -4,24 +4,25 @@ use super::canonical::joinable;
 use super::error::Failure;
 use super::options::{self, Point};
 use super::points;
+use super::reading::fields;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::solved_methods;
 use super::warp;
 use crate::map::PlaneMap;
 use crate::warp::Direction;
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The four points that make a region a quadrilateral.
-#[derive(Debug, Deserialize, Tsify)]
+#[derive(Debug, Tsify)]
 pub struct RectangleOptions {
     /// The points of the boundary, counter-clockwise, that go to the corners 0, `aspect`, `aspect` + i and i; snapped to the
     /// boundary.
     #[tsify(type = "[[x: number, y: number], [x: number, y: number], [x: number, y: number], [x: number, y: number]]")]
     pub corners: [Point; 4],
 }
+fields!(RectangleOptions: corners);
 
 /// The conformal map of a region onto the rectangle 0 < Re w < `aspect`, 0 < Im w < 1 that takes four boundary points to its
 /// corners. Long ones keep their accuracy.

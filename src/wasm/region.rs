@@ -4,22 +4,28 @@ use super::drawn::{Drawn, Given, directed, domain_of, not_with_edges, outlines};
 use super::error::Failure;
 use super::options::{self, Point};
 use super::points;
+use super::reading::fields;
+use super::words::words;
+use super::writing::written;
 use crate::Error;
 use crate::plane::{self, Complex64, Curve, Domain, NOWHERE};
 use js_sys::{Array, Float64Array};
-use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+words! {
+    /// How the boundary points are joined.
+    Curve { Polygon = "polygon", Smooth = "smooth"; Edges }
+}
+
 /// What makes a region.
-#[derive(Debug, Deserialize, Tsify)]
+#[derive(Debug, Tsify)]
 pub struct RegionOptions {
     /// The boundary points `[x0, y0, x1, y1, …]`, in either orientation. A boundary is given by this, by `path`, by `edges` or by
     /// `through`.
-    #[serde(default, deserialize_with = "options::some_numbers")]
     #[tsify(optional, type = "Float64Array")]
-    pub boundary: Option<Vec<f64>>,
+    pub boundary: Option<Float64Array>,
     /// How the boundary points are joined; "polygon" by default.
     #[tsify(optional)]
     pub curve: Option<Curve>,
@@ -29,19 +35,16 @@ pub struct RegionOptions {
     #[tsify(optional)]
     pub path: Option<String>,
     /// The boundary as a closed chain of edges, each of which starts where the last one ends, in either orientation.
-    #[serde(default, deserialize_with = "options::some_value")]
     #[tsify(optional, type = "EdgeOptions[]")]
     pub edges: Option<JsValue>,
     /// Points `[x0, y0, x1, y1, …]` through which the boundary goes, smoothly but for `corners`: cubic splines, which leave a smooth
     /// curve through the same points by the fourth power of their distance.
-    #[serde(default, deserialize_with = "options::some_numbers")]
     #[tsify(optional, type = "Float64Array")]
-    pub through: Option<Vec<f64>>,
+    pub through: Option<Float64Array>,
     /// Indices of the points of `through` that are corners; none by default.
     #[tsify(optional)]
     pub corners: Option<Vec<usize>>,
     /// Each hole, in either orientation: its boundary points, joined as those of `boundary`, or a path, or edges.
-    #[serde(default, deserialize_with = "options::some_value")]
     #[tsify(optional, type = "HoleOptions[]")]
     pub holes: Option<JsValue>,
     /// The point strictly inside that the Riemann map takes to 0. A region with holes needs none, unless its map does.
@@ -52,14 +55,14 @@ pub struct RegionOptions {
     #[tsify(optional)]
     pub toward: Option<Point>,
 }
+fields!(RegionOptions: boundary, curve, path, edges, through, corners, holes, center, toward);
 
 /// What makes the outside of bodies.
-#[derive(Debug, Deserialize, Tsify)]
+#[derive(Debug, Tsify)]
 pub struct ExteriorOptions {
     /// Each body, in either orientation: its boundary points `[x0, y0, x1, y1, …]`, a path as `new Region({ path })` takes it, or edges.
-    #[serde(deserialize_with = "options::some_value")]
     #[tsify(type = "HoleOptions[]")]
-    pub holes: Option<JsValue>,
+    pub holes: JsValue,
     /// How the boundary points are joined; "polygon" by default.
     #[tsify(optional)]
     pub curve: Option<Curve>,
@@ -70,6 +73,7 @@ pub struct ExteriorOptions {
     #[tsify(optional)]
     pub toward: Option<Point>,
 }
+fields!(ExteriorOptions: holes, curve, center, toward);
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPESCRIPT: &str = r"
@@ -102,26 +106,26 @@ export interface ArcOptions {
 ";
 
 /// What `Region.parseShape` finds: paths in plane coordinates, y up, as `new Region({ path })` takes them.
-#[derive(Debug, Serialize, Tsify)]
+#[derive(Debug, Tsify)]
 pub struct Shape {
     /// The outline.
     pub path: String,
     /// The holes in it.
     pub holes: Vec<String>,
 }
+written!(Shape: path, holes);
 
 /// How the text of a shape is to be understood.
-#[derive(Debug, Default, Deserialize, Tsify)]
-#[serde(default)]
+#[derive(Debug, Default, Tsify)]
 pub struct ShapeOptions {
     /// Plane units per unit of the text, 1 by default.
     #[tsify(optional)]
     pub scale: Option<f64>,
 }
+fields!(ShapeOptions: scale);
 
 /// How the text of an outline is to be understood.
-#[derive(Debug, Default, Deserialize, Tsify)]
-#[serde(default)]
+#[derive(Debug, Default, Tsify)]
 pub struct OutlineOptions {
     /// Plane units per unit of the text, 1 by default.
     #[tsify(optional)]
@@ -130,6 +134,7 @@ pub struct OutlineOptions {
     #[tsify(optional)]
     pub tolerance: Option<f64>,
 }
+fields!(OutlineOptions: scale, tolerance);
 
 /// A region bounded by a simple closed curve, with a `center` inside it and a `toward` point on its boundary: what
 /// makes its Riemann map unique. It may have holes, or be the outside of bodies (`Region.exterior`).
@@ -189,7 +194,7 @@ impl Region {
     /// Throws as `new Region()`.
     pub fn exterior(options: Ts<ExteriorOptions>) -> Result<Self, Failure> {
         let ExteriorOptions { holes, curve, center, toward } = options::read(&options)?;
-        Ok(Self(Kind::Domain(directed(domain_of(outlines(holes)?, false, curve)?, center, toward)?)))
+        Ok(Self(Kind::Domain(directed(domain_of(outlines(Some(holes))?, false, curve)?, center, toward)?)))
     }
 
     /// Text → boundary points `[x0, y0, x1, y1, …]`: JSON, `[[x, y], …]`, the data of an SVG path (the attribute `d`), or an SVG file that
@@ -212,7 +217,7 @@ impl Region {
         let ShapeOptions { scale } = options::read_or_default(options.as_ref())?;
         let plane::Shape { outline, holes } = plane::parse_shape(text, scale.unwrap_or(1.0))?;
         let holes = holes.iter().map(|hole| plane::path_data(hole)).collect();
-        options::write(&Shape { path: plane::path_data(&outline), holes })
+        Ok(options::write(Shape { path: plane::path_data(&outline), holes }))
     }
 
     /// The boundary points `[x0, y0, x1, y1, …]`, counter-clockwise; none of the outside of bodies. Of `path` and `edges`, those

@@ -4,21 +4,21 @@ use super::canonical::Joinable;
 use super::error::Failure;
 use super::options;
 use super::points;
+use super::reading::fields;
 use super::warp::{self};
 use crate::riemann::JoinedMap;
 use crate::warp::Direction;
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// How two maps are joined.
-#[derive(Debug, Default, Deserialize, Tsify)]
-#[serde(default)]
+#[derive(Debug, Default, Tsify)]
 pub struct JoinOptions {
     /// Whether rings or rectangles of different shape are stretched onto each other, which is not conformal; false by default.
     #[tsify(optional)]
-    pub stretch: bool,
+    pub stretch: Option<bool>,
 }
+fields!(JoinOptions: stretch);
 
 /// The conformal map region A → region B through the region that both are mapped onto: the disk, center to center and `toward` to
 /// `toward`; or a ring, the outside of the disk, a rectangle, the strip, the half plane.
@@ -35,7 +35,7 @@ impl RegionMap {
     pub fn between(a: &Joinable, b: &Joinable, options: Option<Ts<JoinOptions>>) -> Result<Self, Failure> {
         let JoinOptions { stretch } = options::read_or_default(options.as_ref())?;
         let [a, b] = [a, b].map(|map| map.canonical().into_inner());
-        Ok(Self(if stretch { JoinedMap::stretching(a, b)? } else { JoinedMap::between(a, b)? }))
+        Ok(Self(if stretch.unwrap_or_default() { JoinedMap::stretching(a, b)? } else { JoinedMap::between(a, b)? }))
     }
 
     /// A → B, point by point `[x0, y0, x1, y1, …]`; NaN outside the closed region A.

@@ -7,19 +7,29 @@ use super::options::{self, Point};
 use super::points;
 use super::prepared::{self, PreparedWarp};
 use super::progress::Progress;
+use super::reading::fields;
 use super::region::Region;
 use super::texture::Texture;
 use super::warp::{self, DrawOptions, PaintContext};
+use super::words::words;
 use crate::symm::options::{SolveOptions, Stop};
 use crate::warp::Direction;
 use js_sys::{Function, Uint8ClampedArray};
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
+use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+words! {
+    /// Why a solve ended.
+    Stop {
+        Tolerance = "tolerance", MaxUnknowns = "max-unknowns", SamePanels = "same-panels", TooFewPoints = "too-few-points",
+        Stagnation = "stagnation"
+    }
+}
+
 /// What a solve should reach, and what it may spend.
-#[derive(Debug, Default, Deserialize, Tsify)]
-#[serde(rename_all = "camelCase", default)]
+#[derive(Debug, Default, Tsify)]
+#[serde(rename_all = "camelCase")]
 #[tsify(rename = "SolveOptions")]
 pub struct RiemannOptions {
     /// The largest error of the map that is acceptable, the disk having radius 1; 1e-8 by default.
@@ -32,10 +42,10 @@ pub struct RiemannOptions {
     #[tsify(optional)]
     pub max_charts: Option<usize>,
     /// Told the stage and the fraction of it that is done; `false` cancels, and the solve throws "cancelled".
-    #[serde(deserialize_with = "options::object")]
     #[tsify(optional, type = "(stage: string, fraction: number) => boolean | void")]
     pub on_progress: Option<Function>,
 }
+fields!(RiemannOptions: tolerance, max_unknowns, max_charts, on_progress);
 
 /// The options of a solve, and whom it tells how far it is.
 ///
@@ -53,7 +63,7 @@ pub fn solve_options(given: Option<&Ts<RiemannOptions>>) -> Result<(SolveOptions
 }
 
 /// Another center for a region that was already solved.
-#[derive(Debug, Deserialize, Tsify)]
+#[derive(Debug, Tsify)]
 #[serde(rename_all = "camelCase")]
 pub struct CenterOptions {
     /// The point strictly inside that goes to 0.
@@ -65,10 +75,10 @@ pub struct CenterOptions {
     #[tsify(optional)]
     pub tolerance: Option<f64>,
     /// As in `solve`.
-    #[serde(default, deserialize_with = "options::object")]
     #[tsify(optional, type = "(stage: string, fraction: number) => boolean | void")]
     pub on_progress: Option<Function>,
 }
+fields!(CenterOptions: center, toward, tolerance, on_progress);
 
 /// The conformal map region → unit disk with `center` → 0 and `toward` → 1, by Symm's method.
 #[derive(Debug)]
@@ -227,9 +237,9 @@ impl RiemannMap {
     }
 
     /// Why the solve ended: with the tolerance met, or short of it.
-    #[wasm_bindgen(getter)]
-    pub fn stop(&self) -> Result<Ts<Stop>, Failure> {
-        options::write(&self.0.stop())
+    #[wasm_bindgen(getter, unchecked_return_type = "Stop")]
+    pub fn stop(&self) -> JsValue {
+        self.0.stop().into()
     }
 
     /// How many unknowns were solved for.

@@ -3,21 +3,21 @@
 use super::error::Failure;
 use super::options::{self, Point};
 use super::points;
+use super::reading::fields;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::{prepare_method, solved_methods};
 use super::warp;
+use super::words::words;
 use crate::Error;
 use crate::map::PlaneMap;
 use crate::riemann::SlitKind;
 use crate::warp::Direction;
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The name of a region with slits.
-#[derive(Clone, Copy, Debug, Deserialize, Tsify)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug)]
 pub enum SlitRegion {
     /// The unit disk with circular slits: `center` goes to 0, `toward` to 1.
     Disk,
@@ -29,8 +29,13 @@ pub enum SlitRegion {
     Radial,
 }
 
+words! {
+    /// The name of a region with slits.
+    SlitRegion { Disk = "disk", Annulus = "annulus", Parallel = "parallel", Radial = "radial" }
+}
+
 /// Which region with slits is wanted.
-#[derive(Debug, Deserialize, Tsify)]
+#[derive(Debug, Tsify)]
 pub struct SlitOptions {
     /// Its kind.
     pub kind: SlitRegion,
@@ -44,6 +49,7 @@ pub struct SlitOptions {
     #[tsify(optional)]
     pub pole: Option<Point>,
 }
+fields!(SlitOptions: kind, angle, hole, pole);
 
 /// The conformal map of a region with any number of holes onto a region with slits.
 #[wasm_bindgen]

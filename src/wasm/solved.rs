@@ -18,9 +18,9 @@ macro_rules! solved_methods {
             }
 
             /// Why the solve ended: with the tolerance met, or short of it.
-            #[wasm_bindgen(getter)]
-            pub fn stop(&self) -> Result<tsify::Ts<$crate::symm::options::Stop>, $crate::wasm::error::Failure> {
-                $crate::wasm::options::write(&self.$field.stop())
+            #[wasm_bindgen(getter, unchecked_return_type = "Stop")]
+            pub fn stop(&self) -> wasm_bindgen::JsValue {
+                self.$field.stop().into()
             }
 
             /// How many unknowns were solved for.

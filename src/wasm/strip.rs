@@ -4,23 +4,24 @@ use super::canonical::joinable;
 use super::error::Failure;
 use super::options::{self, Point};
 use super::points;
+use super::reading::fields;
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::solved_methods;
 use super::warp;
 use crate::map::PlaneMap;
 use crate::warp::Direction;
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The two points that go to the ends of the strip.
-#[derive(Debug, Deserialize, Tsify)]
+#[derive(Debug, Tsify)]
 pub struct StripOptions {
     /// The points of the boundary that go to the left end and to the right one; snapped to the boundary.
     #[tsify(type = "[[x: number, y: number], [x: number, y: number]]")]
     pub ends: [Point; 2],
 }
+fields!(StripOptions: ends);
 
 /// The conformal map of a region onto the strip 0 < Im w < 1 that takes two boundary points to its ends and `center` to the
 /// imaginary axis. Far ends stay apart.

@@ -2,9 +2,10 @@
 
 use super::error::Failure;
 use super::options;
+use super::reading::fields;
+use super::words::words;
 use crate::warp::{self, Light, Wrap};
 use js_sys::{Array, Uint8Array};
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -40,17 +41,25 @@ pub(super) fn reader(rgba: &Uint8Array) -> impl FnMut(usize, &mut [u8]) {
     }
 }
 
+words! {
+    /// What lies beyond the edges of a texture that is pulled back.
+    Wrap { Transparent = "transparent", Clamp = "clamp", Repeat = "repeat", Mirror = "mirror" }
+
+    /// The quantity that is averaged when texels become the coarser levels of a texture, and interpolated in the best quality.
+    Light { Linear = "linear", Plain = "plain" }
+}
+
 /// How a texture continues, and in which light it is filtered.
-#[derive(Debug, Default, Deserialize, Tsify)]
-#[serde(default)]
+#[derive(Debug, Default, Tsify)]
 pub struct TextureOptions {
     /// What lies beyond the edges where the texture is pulled back; "transparent" by default.
     #[tsify(optional)]
-    pub wrap: Wrap,
+    pub wrap: Option<Wrap>,
     /// "linear" (the default) averages the light itself, decoded from sRGB; "plain" the bytes as they are.
     #[tsify(optional)]
-    pub light: Light,
+    pub light: Option<Light>,
 }
+fields!(TextureOptions: wrap, light);
 
 /// A picture made ready for warping: a mip pyramid. Built once; a warp never copies it.
 #[derive(Debug)]
@@ -71,7 +80,13 @@ impl Texture {
     ) -> Result<Self, Failure> {
         let TextureOptions { wrap, light } = options::read_or_default(options.as_ref())?;
         let length = rgba.length() as usize;
-        Ok(Self(warp::Texture::from_rows(length, [width, height], wrap, light, &mut reader(rgba))?))
+        Ok(Self(warp::Texture::from_rows(
+            length,
+            [width, height],
+            wrap.unwrap_or_default(),
+            light.unwrap_or_default(),
+            &mut reader(rgba),
+        )?))
     }
 
     /// A texture of what a canvas holds: `Texture.fromImageData(context.getImageData(0, 0, width, height))`.

@@ -2,18 +2,26 @@
 
 use super::error::Failure;
 use super::options::{self, FrameOptions};
+use super::reading::fields;
 use super::texture::Texture;
+use super::words::words;
 use crate::warp::{Direction, Quality, Warp, WarpOptions, buffer};
 use js_sys::Uint8ClampedArray;
-use serde::Deserialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{Clamped, JsValue};
 use web_sys::ImageData;
 
+words! {
+    /// Which way a map is used.
+    Direction { PullBack = "pull-back", PushForward = "push-forward" }
+
+    /// How texels become a pixel, from fast to good.
+    Quality { Nearest = "nearest", Bilinear = "bilinear", Trilinear = "trilinear", Best = "best" }
+}
+
 /// How a texture is to be warped.
-#[derive(Debug, Deserialize, Tsify)]
-#[serde(rename_all = "camelCase")]
+#[derive(Debug, Tsify)]
 #[tsify(rename = "WarpOptions")]
 pub struct DrawOptions {
     /// Where the texture lies in the plane. The texture is stretched over the frame, whatever its pixel counts.
@@ -26,18 +34,16 @@ pub struct DrawOptions {
     #[tsify(optional)]
     pub direction: Option<Direction>,
     /// How texels become a pixel, from fast to good; "trilinear" by default.
-    #[serde(default)]
     #[tsify(optional)]
-    pub quality: Quality,
+    pub quality: Option<Quality>,
     /// The bytes to fill instead of new ones: 4 · columns · rows of them.
-    #[serde(default, deserialize_with = "options::object")]
     #[tsify(optional, type = "Uint8ClampedArray")]
     pub out: Option<Uint8ClampedArray>,
     /// The band of rows to draw, [first, the one after the last]. Bands drawn apart make the same pixels as the whole.
-    #[serde(default)]
     #[tsify(optional, type = "[first: Count, end: Count]")]
     pub rows: Option<[usize; 2]>,
 }
+fields!(DrawOptions: texture, view, direction, quality, out, rows);
 
 impl DrawOptions {
     /// What the warp takes, and the bytes to fill.
@@ -46,7 +52,7 @@ impl DrawOptions {
             texture: self.texture.try_into()?,
             view: self.view.try_into()?,
             direction: self.direction.unwrap_or(usual),
-            quality: self.quality,
+            quality: self.quality.unwrap_or_default(),
             rows: self.rows.map(|[first, end]| first..end),
         };
         Ok((options, self.out))
