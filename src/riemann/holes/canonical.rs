@@ -35,6 +35,8 @@ pub struct Canonical {
     strip: (f64, f64),
     /// What is left of k when Newton's method has converged as far as it can.
     reached: f64,
+    /// Below this a step that does not come nearer ends it.
+    satisfied: f64,
     /// The larger side of the first component's box.
     size: f64,
     /// Made at the first use of the way back.
@@ -53,7 +55,7 @@ struct Back {
 const MOST_STEPS: usize = 80;
 /// So much is left of k if nothing else is said.
 const REACHED: f64 = 1e-10;
-/// Below this a step that does not come nearer ends it,
+/// It is satisfied with so much if nothing else is said,
 const SATISFIED: f64 = 1e-13;
 /// and below this nothing more is to be had.
 const ROUNDING: f64 = 2e-16;
@@ -69,7 +71,11 @@ impl Canonical {
     #[must_use]
     pub fn new(field: DomainField, form: Form, strip: (f64, f64)) -> Self {
         let size = field.domain().contours()[0].polygon().size();
-        Self { field: Arc::new(field), partner: None, form, strip, reached: REACHED, size, back: Arc::default() }
+        let (reached, satisfied) = match field.coherence() {
+            Some(error) => (REACHED.max(error), SATISFIED.max(error)),
+            None => (REACHED, SATISFIED),
+        };
+        Self { field: Arc::new(field), partner: None, form, strip, reached, satisfied, size, back: Arc::default() }
     }
 
     /// 1/(aB(z) + iaC(z) + b) with B and C of two fields of one domain.
@@ -83,7 +89,7 @@ impl Canonical {
     /// one's image that is only so accurate.
     #[must_use]
     pub fn reaching(self, reach: f64) -> Self {
-        Self { reached: reach.max(REACHED), ..self }
+        Self { reached: reach.max(self.reached), ..self }
     }
 
     /// Makes now what evaluation makes at its first use, either way.
@@ -257,7 +263,7 @@ impl Canonical {
             }
             let mut moved = None;
             // What is as good as it can be is not worth many trials.
-            for _ in 0..if miss.norm() <= SATISFIED { 1 } else { MOST_TRIALS } {
+            for _ in 0..if miss.norm() <= self.satisfied { 1 } else { MOST_TRIALS } {
                 if let Some((next, (key, slope))) = self.key_inside(z + step) {
                     let next_miss = self.miss(key, target);
                     if next_miss.norm() < miss.norm() {

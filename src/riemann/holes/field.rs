@@ -45,6 +45,13 @@ impl DomainField {
         self.accuracy
     }
 
+    /// By how much values that are found in different ways differ from each other where edges are curved: within the error of the
+    /// solve, but farther than rounding.
+    #[must_use]
+    pub fn coherence(&self) -> Option<f64> {
+        matches!(self.kind, Kind::Curved(_)).then_some(self.accuracy.solve_error)
+    }
+
     /// Makes now what [`DomainField::fast`] makes at its first use.
     ///
     /// # Errors
