@@ -23,16 +23,21 @@ scale = 1 / font["OS/2"].sCapHeight
 
 
 def outline(character):
-    """The largest contour of a glyph, capitals being 1 high, and how many holes it has."""
+    """The largest contour of a glyph, capitals being 1 high, and the holes in it."""
     path = pathops.Path()
     glyphs[names[ord(character)]].draw(path.getPen(glyphSet=glyphs))
     path.simplify(fix_winding=True, keep_starting_points=True)
     contours = sorted(path.contours, key=lambda contour: -abs(contour.area))
     box = contours[0].bounds
     inside = [c for c in contours[1:] if box[0] < c.bounds[0] and c.bounds[2] < box[2] and box[1] < c.bounds[1] and c.bounds[3] < box[3]]
+    return [commands(contour) for contour in [contours[0], *inside]]
+
+
+def commands(contour):
+    """A contour as the data of an SVG path, y up."""
     pen = SVGPathPen(None, ntos=lambda x: f"{x:.4f}".rstrip("0").rstrip("."))
-    contours[0].draw(TransformPen(pen, (scale, 0, 0, scale, 0, 0)))
-    return [pen.getCommands(), len(inside)]
+    contour.draw(TransformPen(pen, (scale, 0, 0, scale, 0, 0)))
+    return pen.getCommands()
 
 
 letters = {character: outline(character) for character in CHARACTERS if ord(character) in names}

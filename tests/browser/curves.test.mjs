@@ -85,7 +85,7 @@ test("a region keeps its shape when points are added, and its direction of runni
   const [jx, jy] = region.boundary[1];
   assert.ok(second?.kind === "curve" && Math.abs((second.second[0] - jx) * 0.1 - (second.second[1] - jy) * 0.2) < 1e-12 && second.second[0] < jx);
   assert.deepEqual(moveHandle(region, 1, "first", [1.2, 0], true).curves?.[0], region.curves?.[0]);
-  while (canRemove(region)) region = removeVertex(region, 1);
+  while (canRemove(region, 1)) region = removeVertex(region, 1);
   assert.equal(region.boundary.length, 2);
   assert.equal(convertEdge(region, 0, "line"), region, "two points need a curve");
 });

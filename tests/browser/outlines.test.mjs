@@ -61,7 +61,7 @@ test("a path is taken apart where it begins anew; ten thousand corners become fe
   const { outline, said } = chooseOutline(circle, noCurves);
   assert.ok(outline.length >= 60 && outline.length <= 400, String(outline.length));
   assert.match(said, /of its 10000 corners are kept/);
-  const placed = placedOn({ boundary: [[0, 0], [10, 0], [10, 1], [0, 1]] }, { center: [0, 0], width: 2, pixels: [300, 200] });
+  const [placed] = placedOn([{ boundary: [[0, 0], [10, 0], [10, 1], [0, 1]] }], { center: [0, 0], width: 2, pixels: [300, 200] });
   assert.deepEqual(placed.boundary.map((p) => p.map((x) => Number(x.toFixed(6)))), [[-0.84, -0.084], [0.84, -0.084], [0.84, 0.084], [-0.84, 0.084]]);
 });
 

@@ -13,7 +13,7 @@ const prefixOf = (page) => (page === "regions.html" ? "a." : "");
 const draws = (page) => page === "" || page === "regions.html";
 /** Pages that warp a photo. @param {string} page */
 const warps = (page) => page !== "flow.html" && page !== "fields.html";
-const DRAWING = ["image", "region", "center", "toward"];
+const DRAWING = ["image", "region", "path", "holes", "center", "toward"];
 
 /** The name of a page of ours; "" for the first. @param {string} address */
 export const pageOf = (address) => {
@@ -31,7 +31,9 @@ const keyOf = (page) => `address of ${page || "index.html"}`;
 export function addressFor(last, fields, page) {
   const address = new URLSearchParams(last);
   const prefix = prefixOf(page);
-  const sent = draws(page) ? fields : "image" in fields && warps(page) ? { image: fields.image } : {};
+  // Holes are for the page of the disk alone.
+  const { holes: _, ...outer } = fields;
+  const sent = draws(page) ? (page === "" ? fields : outer) : "image" in fields && warps(page) ? { image: fields.image } : {};
   const same = address.get(`${prefix}image`) === sent.image;
   if (sent.image !== undefined && !(same && !sent.region)) {
     // Another photo: the region drawn on the last one and the place that was looked at there are not meant.

@@ -23,10 +23,11 @@ import { wishesOf } from "../editor/overlays.js";
 import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
 import { defaultRegion, LETTER, photoRegion, READ, shapeRegion } from "../editor/presets.js";
-import { carried, makeRegion } from "../editor/region.js";
+import { addHole, carried, makeRegion, pointsOf } from "../editor/region.js";
 import { offerRepair } from "../editor/repair-button.js";
 import { NOTHING_SHOWN, Store } from "../editor/store.js";
-import { drawingFields, drawingSchema, encodeDrawing, encodeShown, shownOf, shownSchema } from "../editor/url.js";
+import { drawingFields, drawingSchema, encodeDrawing, encodeShown, holesSchema, shownOf, shownSchema } from "../editor/url.js";
+import { ontoOf } from "./onto.js";
 import { Controls } from "./controls.js";
 import { DiskView } from "./disk-view.js";
 import { radiusAt } from "./homotopy.js";
@@ -75,15 +76,17 @@ const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWord
 
 const store = new Store({ image: FIRST_PHOTO, region: photoRegion(FIRST_PHOTO) }, NOTHING_SHOWN);
 const editor = new Editor(store, photoView);
+/** What is drawn next. @type {"draw" | "hole"} */
+let wanted = "draw";
 const pen = new Pen({
   view: photoView,
-  isActive: () => store.mode === "draw",
-  onMode: (drawing) => store.setMode(drawing ? "draw" : "edit"),
-  onOutline: (boundary) => useOutline({ boundary }),
-  onStroke: useOutline,
+  isActive: () => store.mode !== "edit",
+  onMode: (drawing) => store.setMode(drawing ? wanted : "edit"),
+  onOutline: (boundary) => useDrawn({ boundary }),
+  onStroke: useDrawn,
 });
 /** Where outlines go. */
-const onPhoto = { photo: () => picture.frame, use: useOutline };
+const onPhoto = { photo: () => picture.frame, use: useOutline, takesHoles: true };
 const outlines = new OutlineReader({ parse: (text) => scheduler.ask({ what: "outline", text }), ...onPhoto });
 const askForLetter = letterDialog(onPhoto);
 offerEdges(element("choose-edge"), [{ store, editor, view: photoView }]);
@@ -95,17 +98,23 @@ const probe = new Probe(photoView, diskView, () => outcome?.carrier ?? null, (re
 });
 
 const controls = new Controls(store, {
-  draw: () => (store.mode === "draw" ? pen.cancel() : pen.begin()),
+  draw: () => draws("draw"),
+  hole: () => draws("hole"),
   remove: () => editor.removeSelected(),
   reset: () => replaceRegion(defaultRegion(picture)),
   photo: (id) => openPicture(loadPicture(id)),
   shape: (name) => (name === READ ? outlines.ask() : name === LETTER ? askForLetter() : replaceRegion(shapeRegion(name, picture.frame.pixels))),
-  upright: () => {
-    const region = outcome && upright(store.doc.region, outcome.locator);
-    if (region) store.commit({ region });
+  upright: async () => {
+    const { region } = store.doc;
+    const turned = outcome && (await upright(region, outcome.carrier));
+    if (turned && region === store.doc.region) store.commit({ region: turned });
   },
   stop: () => scheduler.stop(),
 }, probeRow(probe, () => ({ side: "source", at: store.doc.region.center })));
+
+/** What a region with holes becomes. */
+const onto = /** @type {HTMLSelectElement} */ (element("onto"));
+onto.onchange = () => store.show({ onto: /** @type {import("../editor/store.js").Onto} */ (onto.value) });
 
 /** The slider from the region to the disk. */
 const way = /** @type {HTMLInputElement} */ (element("morph"));
@@ -131,7 +140,7 @@ async function start() {
     script,
     picture: () => picture,
     shape: () => diskView.frame.pixels,
-    job: (pixels, kind) => ({ ...carried(store.doc.region), ...careFor(pixels), view: onGrid(diskView.frame, pixels), show: wishesOf(store.shown, kind === "drawing"), morph: store.shown.morph }),
+    job: (pixels, kind) => ({ ...carried(store.doc.region), ...careFor(pixels), view: onGrid(diskView.frame, pixels), show: wishesOf(store.shown, kind === "drawing"), ...wayOf(store.shown) }),
     drawing: "outline, triangles, vector and grid, on both sides",
     address,
   });
@@ -159,12 +168,12 @@ async function visit() {
 
 /** The state that an address asks for; its picture is loaded, and what is wrong with it is said. @param {string} hash */
 async function read(hash) {
-  const { values, wrong } = readAddress(hash, { ...drawingSchema, ...shownSchema });
-  const { show, density, morph, ...fields } = values;
+  const { values, wrong } = readAddress(hash, { ...drawingSchema, ...shownSchema, ...holesSchema });
+  const { show, density, morph, onto: became, ...fields } = values;
   remark(wrongWords(wrong));
   picture = await pictureFor(fields.image ?? store.doc.image);
   const doc = documentOf(fields, store.doc, () => picture.frame);
-  return { doc, shown: shownOf({ show: show ?? (fields.region || fields.path ? [] : undefined), density, morph }, store.shown), wrong };
+  return { doc, shown: shownOf({ show: show ?? (fields.region || fields.path ? [] : undefined), density, morph, onto: became }, store.shown), wrong };
 }
 
 /** @param {Promise<Picture>} loading */
@@ -176,9 +185,23 @@ function openPicture(loading) {
   });
 }
 
-/** @param {import("../editor/outline.js").Outline} outline */
-function useOutline(outline) {
-  replaceRegion(makeRegion(outline));
+/** @param {import("../editor/outline.js").Outline} outline @param {import("../editor/outline.js").Outline[]} [holes] */
+function useOutline(outline, holes) {
+  replaceRegion(makeRegion(outline, undefined, undefined, holes));
+}
+
+/** Begins to draw a region, or a hole in it; once more, and it is given up. @param {"draw" | "hole"} what */
+function draws(what) {
+  if (store.mode === what) return pen.cancel();
+  pen.cancel();
+  wanted = what;
+  pen.begin();
+}
+
+/** @param {import("../editor/outline.js").Outline} outline as it was drawn: of the region, or of a hole in it */
+function useDrawn(outline) {
+  if (wanted === "hole") store.commit({ region: addHole(store.doc.region, outline) });
+  else useOutline(outline);
 }
 
 /** A drawing that is under way ends there. @param {import("../editor/region.js").Region} region */
@@ -215,12 +238,18 @@ function refresh(solving, dragging) {
 
 /** @param {boolean} dragging */
 function solve(dragging) {
-  const [fields, show, { morph }] = [carried(store.doc.region), wishesOf(store.shown, false), store.shown];
+  const [fields, show, way] = [carried(store.doc.region), wishesOf(store.shown, false), wayOf(store.shown)];
   scheduler.run(
-    ({ tolerance, maxErrorPixels, sharpness }) => ({ ...fields, tolerance, maxErrorPixels, view: diskView.view(sharpness), show, morph }),
+    ({ tolerance, maxErrorPixels, sharpness }) => ({ ...fields, tolerance, maxErrorPixels, view: diskView.view(sharpness), show, ...way }),
     picture,
     dragging,
   );
+}
+
+/** How far the region has gone, and what becomes of its holes: with holes there are no steps on the way. @param {import("../editor/store.js").Shown} shown */
+function wayOf({ morph, onto: chosen }) {
+  const { holes = [] } = store.doc.region;
+  return { morph: holes.length ? 1 : morph, onto: ontoOf(chosen, holes.length) };
 }
 
 function layOut() {
@@ -234,15 +263,26 @@ function layOut() {
 function draw() {
   const { shown } = store;
   photoView.draw(picture, store, { dim: DIM, heat: outcome?.heat("source", shown), over: outcome?.layers("source", shown) });
-  diskView.draw(store.shown, outcome, store.doc.region.boundary[store.selected ?? -1], store.dragging);
+  diskView.draw(store.shown, outcome, pointsOf(store.doc.region)[store.selected ?? -1], store.dragging);
   controls.update(picture);
-  way.value = String(store.shown.morph);
-  element("disk-words").replaceChildren(...captionOf(store.shown.morph));
+  const { morph, onto: becomes } = wayOf(store.shown);
+  way.value = String(morph);
+  showOnto(becomes, store.doc.region.holes?.length ?? 0);
+  element("disk-words").replaceChildren(...captionOf(morph, Boolean(store.doc.region.holes)));
 }
 
-/** What the right picture is. @param {number} morph @returns {(Node | string)[]} */
-function captionOf(morph) {
+/** The choice of what a region with holes becomes, where it has some. @param {import("../editor/store.js").Onto} becomes @param {number} holes */
+function showOnto(becomes, holes) {
+  onto.hidden = !holes;
+  for (const part of document.querySelectorAll(".way")) /** @type {HTMLElement} */ (part).hidden = holes > 0;
+  for (const option of onto.options) option.hidden = option.disabled = option.value === "ring" && holes !== 1;
+  onto.value = becomes;
+}
+
+/** What the right picture is. @param {number} morph @param {boolean} holed @returns {(Node | string)[]} */
+function captionOf(morph, holed) {
   const strong = (/** @type {string} */ textContent) => Object.assign(document.createElement("b"), { textContent });
+  if (holed) return [strong("Its conformal image"), " on "];
   if (morph === 1) return [strong("Its conformal image"), " on the unit disk"];
   return [strong("On the way"), `: f⁻¹(r f)/r, r = ${radiusAt(morph).toFixed(2)}`];
 }
@@ -269,7 +309,7 @@ function address() {
 
 /** @param {import("./pipeline.js").Result} result @param {boolean} done */
 function onResult(result, done) {
-  outcome = new Outcome(result);
+  outcome = new Outcome(result, { carry: (side, points) => scheduler.ask({ what: "points", side, points }) });
   diskView.paint(result);
   draw();
   probe.refresh();

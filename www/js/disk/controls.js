@@ -12,6 +12,7 @@ import { showMenu } from "../editor/show-menu.js";
 /**
  * @typedef {object} Actions
  * @property {() => void} draw
+ * @property {() => void} hole
  * @property {() => void} remove
  * @property {() => void} reset
  * @property {() => void} upright
@@ -30,7 +31,7 @@ export class Controls {
   #store;
   #photo;
   /** @type {HTMLSelectElement} */ #shape = find("choose-shape");
-  #buttons = findAll("draw", "remove", "undo", "redo", "reset", "upright", "open", "stop");
+  #buttons = findAll("draw", "hole", "remove", "undo", "redo", "reset", "upright", "open", "stop");
 
   #showShown;
 
@@ -38,14 +39,15 @@ export class Controls {
   constructor(store, actions, probe) {
     this.#store = store;
     this.#showShown = showMenu(store, find("show"), [probe]);
-    const { draw, remove, undo, redo, reset, upright, open, stop } = this.#buttons;
+    const { draw, hole, remove, undo, redo, reset, upright, open, stop } = this.#buttons;
     this.#photo = new PhotoChoice(find("choose-photo"), actions.photo);
-    listShapes(this.#shape);
+    listShapes(this.#shape, { holed: true });
     this.#shape.onchange = () => {
       actions.shape(this.#shape.value);
       this.#shape.value = "";
     };
     draw.onclick = actions.draw;
+    hole.onclick = actions.hole;
     remove.onclick = actions.remove;
     reset.onclick = actions.reset;
     upright.onclick = actions.upright;
@@ -65,10 +67,11 @@ export class Controls {
     const { remove, undo, redo } = this.#buttons;
     undo.disabled = !canUndo;
     redo.disabled = !canRedo;
-    remove.disabled = selected === null || !canRemove(doc.region) || mode === "draw";
+    remove.disabled = selected === null || !canRemove(doc.region, selected) || mode !== "edit";
     press("draw", mode === "draw");
-    this.#showShown();
+    press("hole", mode === "hole");
+    this.#showShown(doc.region.holes ? ["mesh", "measure"] : []);
     this.#photo.show(picture);
-    document.body.dataset.mode = mode;
+    document.body.dataset.mode = mode === "edit" ? "edit" : "draw";
   }
 }

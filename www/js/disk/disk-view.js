@@ -28,7 +28,7 @@ export class DiskView {
   #rim = svg("circle", { class: "rim" });
   #corners = svg("g", { class: "corners" });
   #vector = markVector(false);
-  #zero = svg("text", { class: "label" });
+  #zero = svg("text", { class: "label zero" });
   #one = svg("text", { class: "label" });
 
   /** @param {HTMLCanvasElement} canvas of the picture @param {HTMLCanvasElement} lines @param {SVGSVGElement} root @param {() => void} onZoom called when another part is looked at */
@@ -75,10 +75,13 @@ export class DiskView {
       const chosen = selected && corners[2 * k] === selected[0] && corners[2 * k + 1] === selected[1];
       set(element, { cx, cy, class: chosen ? "corner selected" : "corner" });
     });
+    const walls = outcome?.result.walls;
+    this.root.classList.toggle("ring", walls?.onto === "ring");
     if (!outcome) return;
     const heat = outcome.heat("target", shown);
     if (heat) drawWithin(drawing, heat.picture, heat.frame);
     drawLayers(drawing, outcome.layers("target", shown), quick);
+    if (walls) drawLayers(drawing, [{ ink: "outline", lines: walls.lines, closed: true }]);
     if (way) drawLayers(drawing, [{ ink: "rim", lines: [way.outline], closed: true }, { ink: "vector", lines: arrowLines(way.toward, way.center, HEAD * this.frame.width) }]);
   }
 }

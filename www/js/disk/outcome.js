@@ -9,16 +9,16 @@ export class Outcome extends Overlays {
   result;
   /** Region to disk. */
   locator;
-  /** Region to what is shown: the disk, or a step on the way there. */
+  /** Region to what is shown: the disk, or a step on the way there. @type {import("../common/probe.js").Carrier} */
   carrier;
 
-  /** @param {Result} result */
-  constructor(result) {
+  /** @param {Result} result @param {import("../common/probe.js").Carrier} worker which carries points where there is no mesh */
+  constructor(result, worker) {
     const { mesh, way, over } = result;
-    const shown = way ? { ...mesh, target: way.target } : mesh;
+    const shown = mesh && way ? { ...mesh, target: way.target } : mesh;
     super(shown, over);
     this.result = result;
-    this.locator = new Locator(mesh);
-    this.carrier = way ? new Locator(shown) : this.locator;
+    this.locator = mesh && new Locator(mesh);
+    this.carrier = shown && way ? new Locator(shown) : (this.locator ?? worker);
   }
 }

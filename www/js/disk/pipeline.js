@@ -7,6 +7,7 @@ import { carriedHeat, CIRCLE_FENCE, circleLine, diskLines, DRAFT_HEAT, fenceOf, 
 import { drawnLayers, heatPixels } from "../editor/overlays.js";
 import { readOutline } from "../editor/read-outline.js";
 import { SolvedMap } from "../editor/solved-map.js";
+import { HoledImage } from "./holed.js";
 import { wayBetween } from "./homotopy.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
@@ -19,6 +20,8 @@ import { wayBetween } from "./homotopy.js";
  * @property {Float64Array} boundary
  * @property {Float64Array} corners
  * @property {string} path
+ * @property {string[]} holes
+ * @property {import("./canonical.js").Onto} onto what a region with holes becomes
  * @property {Point} center
  * @property {Point} toward
  * @property {number} tolerance of the solve
@@ -32,13 +35,14 @@ import { wayBetween } from "./homotopy.js";
 /** @typedef {Uint8ClampedArray<ArrayBuffer>} Pixels */
 /** @typedef {import("../common/plate.js").Plate} Plate */
 /** @typedef {import("../editor/locate.js").Mesh} Mesh */
-/** @typedef {import("../editor/evidence.js").DiskEvidence} Evidence */
+/** @typedef {import("../editor/evidence.js").DiskEvidence | import("../editor/evidence.js").HoledEvidence} Evidence */
 /**
  * @typedef {object} Result
  * @property {number} version
  * @property {Pixels} pixels
  * @property {Frame} view
- * @property {Mesh} mesh region to disk
+ * @property {Mesh | null} mesh region to disk; none where there are holes
+ * @property {{ onto: import("./canonical.js").Onto, lines: Float64Array[] } | null} walls what holes have become
  * @property {{ target: Float64Array, outline: Float64Array, center: Point, toward: Point } | null} way what is shown instead of the disk: the nodes of the mesh, the outline and the vector
  * @property {{ source: Over, target: Over }} over
  * @property {Float64Array} corners the ends of the boundary's edges
@@ -64,6 +68,7 @@ export class RegionPipeline {
   /** @type {{ texture: Texture, frame: Frame } | null} */
   #picture = null;
   #solved = new SolvedMap();
+  #holed = new HoledImage();
   /** The last mesh: a new picture needs no other. @type {Meshed | null} */
   #meshed = null;
   /** The same nodes for a vector that is being moved. @type {Meshed | null} */
@@ -76,9 +81,13 @@ export class RegionPipeline {
   }
 
   /** @param {Job} job @param {import("../common/serve.js").Talk<Result>} talk */
-  run(job, { progress }) {
+  run(job, talk) {
     if (!this.#picture) throw new Error("There is no picture yet.");
-    const { texture, frame } = this.#picture;
+    return job.holes.length ? this.#holed.run(job, this.#picture, talk) : this.#draw(job, this.#picture, talk);
+  }
+
+  /** @param {Job} job @param {{ texture: Texture, frame: Frame }} picture @param {import("../common/serve.js").Talk<Result>} talk */
+  #draw(job, { texture, frame }, { progress }) {
     const solved = this.#solved.solve(job, job.tolerance, progress);
     const { map, corners, ms: solveMs } = solved;
     const { mesh, ms: meshMs } = this.#mesh(job, map);
@@ -96,6 +105,7 @@ export class RegionPipeline {
       view: job.view,
       over,
       mesh: { source, target, triangles },
+      walls: null,
       way: way && { target: shown.target, outline: way.outline, center: way.center, toward: way.toward },
       corners: job.corners,
       angles: map.angles,
@@ -115,14 +125,15 @@ export class RegionPipeline {
     return { result, transfer: [pixels, source, target, triangles, ...heatPixels(over)].map(({ buffer }) => buffer) };
   }
 
-  /** @param {import("../editor/read-outline.js").OutlineQuestion} question */
-  answer({ text }) {
-    return readOutline(text, true);
+  /** An outline from text; points carried by a map that has no mesh. @param {{ what: "points", side: import("../common/probe.js").Side, points: Point[] } | import("../editor/read-outline.js").OutlineQuestion} question */
+  answer(question) {
+    return question.what === "points" ? this.#holed.carry(question.side, question.points) : readOutline(question.text, true);
   }
 
   /** A picture of any size and its lines, to be saved. @param {Job} job @param {(share: number) => void} onShare @returns {Promise<Plate>} */
   async plate(job, onShare) {
     if (!this.#picture) throw new Error("There is no picture yet.");
+    if (job.holes.length) return this.#holed.plate(job, this.#picture, onShare);
     const { texture, frame } = this.#picture;
     const { view, show } = job;
     const solved = this.#solved.solve(job, job.tolerance, (_, share) => onShare(share / 2));

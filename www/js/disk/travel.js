@@ -95,13 +95,14 @@ export function rimPoint(locator, angle) {
 
 /**
  * The region whose map does not turn the picture at its center: f'(center) > 0.
- * @param {Region} region @param {Locator} locator of its map @returns {Region | null}
+ * @param {Region} region @param {import("../common/probe.js").Carrier} carrier of its map @returns {Promise<Region | null>}
  */
-export function upright(region, locator) {
-  const [a, b] = [locator.at("target", [-STEP, 0]), locator.at("target", [STEP, 0])];
+export async function upright(region, carrier) {
+  const [a, b] = (await carrier.carry("target", [[-STEP, 0], [STEP, 0]])) ?? [];
   if (!a || !b) return null;
   // What the disk shows from left to right lies in this direction on the photo: turn it back.
   const angle = Math.atan2(b[1] - a[1], b[0] - a[0]);
-  const place = rimPoint(locator, -angle);
-  return place && moveToward(region, place);
+  const places = await carrier.carry("target", RIMS.map((radius) => [radius * Math.cos(angle), -radius * Math.sin(angle)]));
+  const place = places?.find(Boolean);
+  return place ? moveToward(region, place) : null;
 }

@@ -10,11 +10,11 @@ import { makeRegion, towardPoint } from "./region.js";
  * @param {(image: string) => import("../common/frame.js").Frame} frameOf a picture @returns {Document}
  */
 export function documentOf(fields, usual, frameOf) {
-  const { image = usual.image, shape, region, path, center, toward } = fields;
+  const { image = usual.image, shape, region, path, holes, center, toward } = fields;
   const drawn = path ?? region;
-  if (drawn) return { image, region: makeRegion(drawn, center, toward) };
+  if (drawn) return { image, region: makeRegion(drawn, center, toward, holes) };
   const frame = frameOf(image);
   const named = shape ? shapeRegion(shape, frame.pixels) : image === usual.image ? usual.region : defaultRegion({ id: image, frame });
-  if (!center && !toward) return { image, region: named };
-  return { image, region: makeRegion(named, center ?? named.center, toward ?? towardPoint(named)) };
+  if (!center && !toward && !holes) return { image, region: named };
+  return { image, region: makeRegion(named, center ?? (holes ? undefined : named.center), toward ?? towardPoint(named), holes ?? named.holes) };
 }

@@ -3,7 +3,7 @@
 import { make } from "../common/menu.js";
 import { kindOf } from "./curve.js";
 import { partOf } from "./edit.js";
-import { canRemove, convertEdge } from "./region.js";
+import { canRemove, convertEdge, edgeAfter, holeAt, removeHole } from "./region.js";
 
 /** @typedef {import("./curve.js").Kind} Kind */
 /** @typedef {import("./edit.js").Editor} Editor */
@@ -25,9 +25,9 @@ export function offerEdges(select, drawings) {
   select.onchange = () => editor.convertSelected(/** @type {Kind} */ (select.value));
   const update = () => {
     const { selected, mode, doc } = store;
-    select.disabled = selected === null || mode === "draw";
+    select.disabled = selected === null || mode !== "edit";
     select.options[0].hidden = !select.disabled;
-    select.value = select.disabled || selected === null ? "" : kindOf(doc.region.curves?.[selected] ?? null);
+    select.value = select.disabled || selected === null ? "" : kindOf(edgeAfter(doc.region, selected)[2]);
   };
   for (const drawing of drawings) {
     drawing.store.subscribe(() => {
@@ -60,9 +60,11 @@ function openAtEdges({ store, editor, view: { root } }) {
     event.preventDefault();
     const { region } = store.doc;
     store.select(index);
-    const kind = kindOf(region.curves?.[index] ?? null);
+    const kind = kindOf(edgeAfter(region, index)[2]);
     const kinds = KINDS.map(([name, title, key]) => item(title, key, name === kind, () => store.commit({ region: convertEdge(region, index, name) })));
-    const remove = part === "vertex" && canRemove(region) ? [item("Remove the point", "Del", false, () => editor.removeSelected())] : [];
+    const remove = part === "vertex" && canRemove(region, index) ? [item("Remove the point", "Del", false, () => editor.removeSelected())] : [];
+    const hole = holeAt(region, index);
+    if (hole !== null) remove.push(item("Remove the hole", "⇧ Del", false, () => store.commit({ region: removeHole(region, hole) })));
     menu.replaceChildren(make("p", { className: "menu-name", textContent: part === "edge" ? "This edge" : "The edge after this point" }), ...kinds, ...remove);
     menu.showPopover();
     menu.style.setProperty("--left", `${Math.max(ROOM, Math.min(event.clientX, window.innerWidth - menu.offsetWidth - ROOM))}px`);

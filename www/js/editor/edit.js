@@ -4,9 +4,9 @@ import { toPixels, toPlane } from "../common/frame.js";
 import { onEscape } from "../common/keys.js";
 import { pixelOf } from "../common/svg.js";
 import { distance } from "./geometry.js";
-import { edgeOf, polygonOf } from "./outline.js";
+import { polygonOf } from "./outline.js";
 import { pointOn } from "./curve.js";
-import { canRemove, convertEdge, handlesOf, moveCenter, moveHandle, moveToward, moveVertex, removeVertex, splitEdge, towardPoint, translate } from "./region.js";
+import { canRemove, convertEdge, edgeAfter, handlesOf, holeAt, moveCenter, moveHandle, moveToward, moveVertex, pointsOf, removeHole, removeVertex, splitEdge, towardPoint, translate, translateHole } from "./region.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./region.js").Region} Region */
@@ -69,9 +69,9 @@ export class Editor {
   /** Removes the selected point. */
   removeSelected() {
     const { selected, doc } = this.#store;
-    if (selected === null || !canRemove(doc.region)) return;
+    if (selected === null || !canRemove(doc.region, selected)) return;
     this.#store.commit({ region: removeVertex(doc.region, selected) });
-    const last = this.#store.doc.region.boundary.length - 1;
+    const last = pointsOf(this.#store.doc.region).length - 1;
     this.#store.select(Math.min(selected, last));
   }
 
@@ -96,7 +96,7 @@ export class Editor {
     this.#drag = { pointer: event.pointerId, grip, move: taken.move, moved: false };
     if (part === "edge") this.#store.drag(taken.move(this.#plane(at), false));
     if (found.handle) /** @type {SVGElement | null} */ (this.#view.handle(index, found.handle))?.focus();
-    else if (part !== "body") this.#focus(part, index);
+    else if (part !== "body" && part !== "hole") this.#focus(part, index);
   }
 
   /** A finger that takes hold of something does not scroll the page; what is drawn in an SVG cannot say so in its style. @param {TouchEvent} event */
@@ -114,7 +114,7 @@ export class Editor {
     const all = [
       [{ part: "center", index: -1 }, region.center],
       [{ part: "toward", index: -1 }, towardPoint(region)],
-      ...region.boundary.map((p, k) => /** @type {[Part, Point]} */ ([{ part: "vertex", index: k }, p])),
+      ...pointsOf(region).map((p, k) => /** @type {[Part, Point]} */ ([{ part: "vertex", index: k }, p])),
       ...this.#view.handles.map(({ edge, handle, at: place }) => /** @type {[Part, Point]} */ ([{ part: "handle", index: edge, handle }, place])),
     ];
     /** @type {Part | null} */
@@ -137,7 +137,7 @@ export class Editor {
     const { frame } = this.#view;
     switch (part) {
       case "vertex":
-        return { anchor: toPixels(frame, region.boundary[index]), move: (to) => moveVertex(region, index, to) };
+        return { anchor: toPixels(frame, pointsOf(region)[index]), move: (to) => moveVertex(region, index, to) };
       case "edge": {
         const split = splitEdge(region, index, toPlane(frame, at));
         return { anchor: at, move: (to) => moveVertex(split, index + 1, to) };
@@ -155,6 +155,11 @@ export class Editor {
         if (pointerType === "touch") return null;
         const from = toPlane(frame, at);
         return { anchor: at, move: (to) => translate(region, this.#within(region, [to[0] - from[0], to[1] - from[1]])) };
+      }
+      case "hole": {
+        if (pointerType === "touch") return null;
+        const from = toPlane(frame, at);
+        return { anchor: at, move: (to) => translateHole(region, index, [to[0] - from[0], to[1] - from[1]]) };
       }
       default:
         return null;
@@ -193,16 +198,18 @@ export class Editor {
     if (this.#store.mode !== "edit" || !part || event.ctrlKey || event.metaKey) return;
     if (event.altKey && part !== "handle") return;
     const { region } = this.#store.doc;
-    const count = region.boundary.length;
+    const count = pointsOf(region).length;
     if (event.key in STEPS) this.#nudge(found, STEPS[event.key], event.shiftKey ? 10 : 1, event.altKey);
     else if (part !== "vertex") return;
     else if (event.key === "Delete" || event.key === "Backspace") {
-      this.removeSelected();
+      const hole = event.shiftKey ? holeAt(region, index) : null;
+      if (hole === null) this.removeSelected();
+      else this.#store.commit({ region: removeHole(region, hole) });
       this.#focus("vertex", this.#store.selected ?? 0);
     } else if (event.key === "PageDown") this.#focus("vertex", (index + 1) % count);
     else if (event.key === "PageUp") this.#focus("vertex", (index + count - 1) % count);
     else if (event.key === "Insert" || event.key === "+") {
-      this.#store.commit({ region: splitEdge(region, index, pointOn(...edgeOf(region, index), 0.5)) });
+      this.#store.commit({ region: splitEdge(region, index, pointOn(...edgeAfter(region, index), 0.5)) });
       this.#focus("vertex", index + 1);
     } else if (event.key.toLowerCase() in KINDS) this.#store.commit({ region: convertEdge(region, index, KINDS[event.key.toLowerCase()]) });
     else return;

@@ -4,6 +4,7 @@ import { readingWords } from "../common/probe.js";
 
 /** Of a picture made through a mesh. @typedef {{ errorEstimate: number, unknowns: number, nodes: number, triangles: number, flipped: number, solveMs: number, meshMs: number, warpMs: number }} PairEvidence */
 /** @typedef {PairEvidence & { conformalRadius: number }} DiskEvidence */
+/** Of a region with holes: `facts` are its own rows. @typedef {{ errorEstimate: number, unknowns?: number, facts: [string, string, string][], solveMs: number, warpMs: number }} HoledEvidence */
 
 /** @param {number} n */
 const whole = (n) => n.toLocaleString("en", { maximumFractionDigits: 0 });
@@ -23,9 +24,10 @@ export function power(x) {
 
 /**
  * The rows of the evidence: name, value, what it means.
- * @param {DiskEvidence} evidence @returns {[string, string, string][]}
+ * @param {DiskEvidence | HoledEvidence} evidence @returns {[string, string, string][]}
  */
 export function rows(evidence) {
+  if ("facts" in evidence) return holedRows(evidence);
   const { errorEstimate, unknowns, conformalRadius, nodes, triangles, flipped, solveMs, meshMs, warpMs } = evidence;
   return [
     ["Estimated error", power(errorEstimate), "largest, of any point’s place on the disk of radius 1"],
@@ -33,6 +35,16 @@ export function rows(evidence) {
     ["Conformal radius", conformalRadius.toFixed(4), "of the region seen from its center; the photo’s longer side is 2"],
     trianglesRow(triangles, nodes, meshMs),
     flippedRow(flipped),
+    pictureRow(warpMs),
+  ];
+}
+
+/** @param {HoledEvidence} evidence @returns {[string, string, string][]} */
+function holedRows({ errorEstimate, unknowns, facts, solveMs, warpMs }) {
+  return [
+    ["Estimated error", power(errorEstimate), "largest, of any point’s place beside the disk of radius 1"],
+    unknowns ? ["Unknowns", whole(unknowns), `numbers solved for, on all outlines together, in ${time(solveMs)}`] : ["Solved in", time(solveMs), "in rounds, until every hole is round"],
+    ...facts,
     pictureRow(warpMs),
   ];
 }
@@ -74,6 +86,8 @@ const WORDS = new Map([
   ["self-intersecting", "These two red edges cross or touch. Drag a point until they no longer do, press Repair outline, or undo."],
   ["center-outside", "The round end of the vector lies outside the outline. Drag it back inside."],
   ["cusp", "The outline turns back on itself in a point, and the gap there is outside. Drag the points or handles beside it apart."],
+  ["holes-meet", "A hole meets another outline, at the red edges. Drag one of them away, or undo."],
+  ["hole-outside", "A hole does not lie inside the outline. Drag it in, remove it, or undo."],
   ["too-few-vertices", "Fewer than three corners are apart from each other. Drag them apart, or draw a new region."],
   ["negative-mass", "No trustworthy map was found: part of the outline is too far out of the centre’s sight. Drag the round end of the vector nearer to it, or make the narrow places wider."],
   ["crowded", "Parts of the outline are too far out of the centre’s sight for a mesh. Drag the round end of the vector nearer to them."],

@@ -145,7 +145,7 @@ function colourOf(doublings) {
   return /** @type {[number, number, number]} */ (a.map((value, k) => value + (b[k] - value) * (place - from)));
 }
 
-/** Colours over the region → colours where the map takes it. @param {import("../../pkg/index.js").JointTriangulation | import("../../pkg/index.js").RegionMap} map @param {{ pixels: Uint8ClampedArray, frame: Frame }} heat @param {Frame} view @returns {{ pixels: Uint8ClampedArray<ArrayBuffer>, frame: Frame }} */
+/** Colours over the region → colours where the map takes it. @param {{ warp: import("../../pkg/index.js").RegionMap["warp"] }} map @param {{ pixels: Uint8ClampedArray, frame: Frame }} heat @param {Frame} view @returns {{ pixels: Uint8ClampedArray<ArrayBuffer>, frame: Frame }} */
 export function carriedHeat(map, { pixels, frame }, view) {
   const texture = new Texture(pixels, ...frame.pixels);
   const warped = map.warp(texture, { texture: frame, view, direction: "push-forward", quality: "bilinear" });

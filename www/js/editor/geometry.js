@@ -103,6 +103,22 @@ export function meetings(polygon) {
   return [...found.values()];
 }
 
+/** The edges of two polygons that meet each other. @param {Point[]} one @param {Point[]} other @returns {[Set<number>, Set<number>]} */
+export function crossings(one, other) {
+  const [here, there] = [new Set(), new Set()];
+  const [a, b] = [boxOf(one), boxOf(other)];
+  if (a.left > b.right || b.left > a.right || a.low > b.high || b.low > a.high) return [here, there];
+  const near = SAME * sizeOf(one);
+  one.forEach((from, k) => {
+    other.forEach((start, n) => {
+      if (!meeting(from, one[(k + 1) % one.length], start, other[(n + 1) % other.length], near)) return;
+      here.add(k);
+      there.add(n);
+    });
+  });
+  return [here, there];
+}
+
 /** How wide a spike is at the end of its shorter side; infinite where the outline does not turn back at its tip. @param {Point} before @param {Point} tip @param {Point} after */
 export function spikeWidth(before, tip, after) {
   const [u, v, x, y] = [before[0] - tip[0], before[1] - tip[1], after[0] - tip[0], after[1] - tip[1]];
@@ -173,10 +189,10 @@ const CORNERS = 100;
 const EFFORT = 2e6;
 
 /**
- * A point well inside: on a grid, one far from the boundary and in the middle of it.
- * @param {Point[]} polygon @returns {Point}
+ * A point well inside: on a grid, one far from the boundary and in the middle of it; not in one of the holes.
+ * @param {Point[]} polygon @param {Point[][]} [holes] @returns {Point}
  */
-export function deepPoint(polygon) {
+export function deepPoint(polygon, holes = []) {
   const { left, low, right, high } = boxOf(polygon);
   const steps = Math.max(8, Math.min(STEPS, Math.floor(Math.sqrt(EFFORT / polygon.length))));
   const every = Math.ceil(polygon.length / CORNERS);
@@ -186,9 +202,10 @@ export function deepPoint(polygon) {
     for (let j = 1; j < steps; j++) {
       /** @type {Point} */
       const point = [left + ((right - left) * i) / steps, low + ((high - low) * j) / steps];
-      if (!contains(polygon, point)) continue;
+      if (!contains(polygon, point) || holes.some((hole) => contains(hole, point))) continue;
       const away = corners.reduce((sum, corner) => sum + distance(corner, point), 0) / corners.length;
-      const score = nearestOnBoundary(polygon, point).distance - MIDDLE * away;
+      const depth = Math.min(...[polygon, ...holes].map((outline) => nearestOnBoundary(outline, point).distance));
+      const score = depth - MIDDLE * away;
       if (score > best.score) best = { point, score };
     }
   }

@@ -5,7 +5,7 @@ import { tell } from "../common/page.js";
 import { holeWords, placedOn } from "./outline-text.js";
 import { readPath } from "./path.js";
 
-/** Outlines by characters, and how many holes are left out of each. @typedef {Record<string, [path: string, holes: number]>} Letters */
+/** By characters: paths, of the outline and of the holes in it. @typedef {Record<string, [outline: string, ...holes: string[]]>} Letters */
 
 /** @type {Promise<Letters> | null} */
 let loading = null;
@@ -20,8 +20,8 @@ function letters() {
   return loading;
 }
 
-/** @param {{ photo: () => import("../common/frame.js").Frame, use: (outline: import("./outline.js").Outline) => void }} destination @returns {() => void} asks for a letter */
-export function letterDialog({ photo, use }) {
+/** @param {Omit<import("./outline-dialog.js").Destination, "parse">} destination @returns {() => void} asks for a letter */
+export function letterDialog({ photo, use, takesHoles = false }) {
   const field = make("input", { type: "text", className: "letter", maxLength: 2, autocomplete: "off", label: "A letter or a digit" });
   const refusal = make("p", { className: "refusal" });
   refusal.setAttribute("role", "alert");
@@ -48,9 +48,9 @@ export function letterDialog({ photo, use }) {
   async function take(character) {
     const known = await letters();
     if (!Object.hasOwn(known, character)) return character ? `There is no outline of “${character}” here: take another letter.` : "Type a letter.";
-    const [path, holes] = known[character];
-    use(placedOn(readPath(path), photo()));
-    tell(`The letter “${character}”, its curves as they are.${holeWords(holes)}`);
+    const [outline, ...holes] = placedOn(known[character].map(readPath), photo());
+    use(outline, takesHoles ? holes : []);
+    tell(`The letter “${character}”, its curves as they are.${takesHoles ? "" : holeWords(holes.length)}`);
     return "";
   }
   return () => {

@@ -280,11 +280,11 @@ function thinned(outline) {
 /** Of the photo, how much an outline fills. */
 const FILL = 0.84;
 
-/** An outline in the middle of a photo, as large as fits. @param {import("./outline.js").Outline} outline @param {import("../common/frame.js").Frame} photo */
-export function placedOn(outline, { center, width, pixels }) {
-  const polygon = polygonOf(outline);
+/** An outline, and what is in it, in the middle of a photo, as large as fits. @param {import("./outline.js").Outline[]} outlines the outer one first @param {import("../common/frame.js").Frame} photo */
+export function placedOn(outlines, { center, width, pixels }) {
+  const polygon = polygonOf(outlines[0]);
   const [xs, ys] = [polygon.map(([x]) => x), polygon.map(([, y]) => y)];
   const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
   const scale = FILL * Math.min(width / (right - left || 1), (width * pixels[1]) / pixels[0] / (high - low || 1));
-  return placed(outline, scale, [center[0] - (scale * (left + right)) / 2, center[1] - (scale * (low + high)) / 2]);
+  return outlines.map((outline) => placed(outline, scale, [center[0] - (scale * (left + right)) / 2, center[1] - (scale * (low + high)) / 2]));
 }

@@ -41,9 +41,8 @@ export const planePath = (outline, text = String) => write(outline, planeHand(te
 /** An outline to be drawn. @param {Outline} outline @param {Frame} frame */
 export const pixelPath = (outline, frame) => write(outline, pixelHand(frame));
 
-/** One of its edges to be drawn. @param {Outline} outline @param {number} edge @param {Frame} frame */
-export function pixelEdge(outline, edge, frame) {
-  const [a, b, curve] = edgeOf(outline, edge);
+/** One of its edges to be drawn. @param {[a: Point, b: Point, curve: Curve]} edge @param {Frame} frame */
+export function pixelEdge([a, b, curve], frame) {
   return `M${toPixels(frame, a).map((x) => x.toFixed(2)).join(",")}${edgeData([a, b, curve], pixelHand(frame))}`;
 }
 
@@ -86,6 +85,9 @@ export function readPath(text) {
   if (boundary.length < 2 || !curves.some(Boolean) && boundary.length < 3) throw new Error("has no inside");
   return outlineOf(boundary, curves);
 }
+
+/** The outlines of several paths, one after another. @param {string} text @returns {Outline[]} */
+export const readPaths = (text) => text.split(/(?=M)/).map(readPath);
 
 /** @param {string} command @param {number[]} values @param {Point} at @returns {Point} */
 function endOf(command, values, [x, y]) {

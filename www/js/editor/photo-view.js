@@ -5,9 +5,8 @@ import { onGrid, scaleOf, toPixels } from "../common/frame.js";
 import { Zoom } from "../common/zoom.js";
 import { drawLayers } from "../common/layers.js";
 import { kindOf, pointOn } from "./curve.js";
-import { edgeOf } from "./outline.js";
 import { pixelEdge, pixelPath } from "./path.js";
-import { faults, handlesOf, towardPoint } from "./region.js";
+import { edgeAfter, faults, handlesOf, holeAt, outlinesOf, pointsOf, towardPoint } from "./region.js";
 import { match, pathData, set, svg } from "../common/svg.js";
 import { markVector, updateVector } from "./vector.js";
 
@@ -34,6 +33,7 @@ export class PhotoView {
   #body = svg("path", { class: "body", "data-part": "body" });
   #halo = svg("path", { class: "halo" });
   #outline = svg("path", { class: "outline" });
+  #holes = svg("g", { class: "holes" });
   #edges = svg("g", { class: "edges" });
   /** What a finger takes hold of to add a point. */
   #middles = svg("g", { class: "middles" });
@@ -50,7 +50,7 @@ export class PhotoView {
     this.root = root;
     this.#zoom = new Zoom(root, () => this, onZoom, (event) => !root.classList.contains("drawing") && !(event.target instanceof Element && event.target.closest("[data-part]")));
     this.#layer = new Layer(canvas);
-    root.append(this.#body, this.#halo, this.#outline, this.#edges, this.#middles, this.#arms, this.#vertices, this.#knobs, this.#vector);
+    root.append(this.#body, this.#halo, this.#outline, this.#holes, this.#edges, this.#middles, this.#arms, this.#vertices, this.#knobs, this.#vector);
   }
 
   /** @param {Picture} picture */
@@ -76,8 +76,9 @@ export class PhotoView {
     context.imageSmoothingQuality = "high";
     drawWithin(drawing, canvas, whole);
     if (mode === "draw") return;
+    const data = regionData(doc.region, frame);
     if (inside) drawWithin(drawing, inside.picture, inside.frame);
-    const outside = new Path2D(pixelPath(doc.region, frame));
+    const outside = new Path2D(data);
     outside.rect(0, 0, width, height);
     context.fillStyle = `rgb(0 0 0 / ${dim})`;
     context.fill(outside, "evenodd");
@@ -85,7 +86,7 @@ export class PhotoView {
       context.save();
       context.imageSmoothingQuality = "low";
       // Clean edges take time that a moving hand has not.
-      if (!dragging) context.clip(new Path2D(pixelPath(doc.region, frame)));
+      if (!dragging) context.clip(new Path2D(data), "evenodd");
       drawWithin(drawing, heat.picture, heat.frame);
       context.restore();
     }
@@ -97,42 +98,45 @@ export class PhotoView {
     const state = [region, selected, mode, this.frame];
     if (state.every((part, k) => part === this.#drawn[k])) return;
     this.#drawn = state;
-    const { boundary, center } = region;
-    const pixels = boundary.map((p) => toPixels(this.frame, p));
+    const points = pointsOf(region);
+    const pixels = points.map((p) => toPixels(this.frame, p));
     const wrong = faults(region);
-    this.root.classList.toggle("drawing", mode === "draw");
-    this.root.classList.toggle("dense", boundary.length > 48);
-    const data = pixelPath(region, this.frame);
+    this.root.classList.toggle("drawing", mode !== "edit");
+    this.root.classList.toggle("in-region", mode === "hole");
+    this.root.classList.toggle("dense", points.length > 48);
+    const data = regionData(region, this.frame);
     for (const path of [this.#body, this.#halo, this.#outline]) set(path, { d: data });
+    match(this.#holes, region.holes ?? [], (hole) => svg("path", { class: "hole", "data-part": "hole", "data-index": hole }), (element, hole) => set(element, { d: pixelPath(hole, this.frame) }));
     match(this.#edges, pixels, (edge) => svg("path", { "data-part": "edge", "data-index": edge }), (element, _, k) => {
-      set(element, { d: pixelEdge(region, k, this.frame), class: `edge${wrong.edges.has(k) ? " wrong" : ""}${k === selected ? " next" : ""}` });
+      set(element, { d: pixelEdge(edgeAfter(region, k), this.frame), class: `edge${wrong.edges.has(k) ? " wrong" : ""}${k === selected ? " next" : ""}` });
     });
     match(this.#middles, pixels, newMiddle, (element, [x, y], k) => {
-      const [u, v] = pixels[(k + 1) % pixels.length];
-      const edge = edgeOf(region, k);
+      const edge = edgeAfter(region, k);
+      const [u, v] = toPixels(this.frame, edge[1]);
       // An arc's own handle is in its middle.
       const [mx, my] = toPixels(this.frame, pointOn(...edge, edge[2]?.kind === "arc" ? 0.25 : 0.5));
       set(element, { transform: `translate(${mx} ${my})`, visibility: Math.hypot(u - x, v - y) > LONG_EDGE ? "visible" : "hidden" });
     });
     this.#drawHandles(region, selected);
     match(this.#vertices, pixels, newVertex, (element, [x, y], k) => {
-      const label = `Point ${k + 1} of ${pixels.length}${region.curves ? `; ${EDGES[kindOf(region.curves[k])]} to the next` : ""}`;
+      const label = nameOf(region, k, pixels.length);
       const current = k === (selected ?? 0);
       set(element, { transform: `translate(${x} ${y})`, tabindex: current ? 0 : -1, "aria-label": label });
       element.classList.toggle("selected", k === selected);
     });
-    updateVector(this.#vector, toPixels(this.frame, towardPoint(region)), toPixels(this.frame, center), wrong.center);
+    updateVector(this.#vector, toPixels(this.frame, towardPoint(region)), toPixels(this.frame, region.center), wrong.center);
   }
 
   /** The handles of curved edges: of all of a few, or of those beside the selected point. @param {import("./region.js").Region} region @param {number | null} selected */
   #drawHandles(region, selected) {
-    const { boundary, curves = [] } = region;
-    const few = curves.filter(Boolean).length <= FEW;
-    const beside = (/** @type {number} */ edge) => edge === selected || (edge + 1) % boundary.length === selected;
-    this.handles = curves.flatMap((_, edge) => (few || beside(edge) ? handlesOf(region, edge).map((one) => ({ edge, ...one })) : []));
+    const points = pointsOf(region);
+    const curved = points.flatMap((_, edge) => (edgeAfter(region, edge)[2] ? [edge] : []));
+    const chosen = selected === null ? null : points[selected];
+    const beside = (/** @type {number} */ edge) => edge === selected || edgeAfter(region, edge)[1] === chosen;
+    this.handles = curved.flatMap((edge) => (curved.length <= FEW || beside(edge) ? handlesOf(region, edge).map((one) => ({ edge, ...one })) : []));
     const arms = this.handles.filter(({ handle }) => handle !== "bow");
     match(this.#arms, arms, () => svg("path"), (element, { edge, handle, at }) => {
-      const [a, b] = edgeOf(region, edge);
+      const [a, b] = edgeAfter(region, edge);
       set(element, { d: pathData([handle === "first" ? a : b, at].map((p) => toPixels(this.frame, p)), false) });
     });
     match(this.#knobs, this.handles, newKnob, (element, { edge, handle, at }) => {
@@ -150,6 +154,16 @@ export class PhotoView {
   focusVertex(index) {
     /** @type {SVGElement | undefined} */ (this.#vertices.children[index])?.focus();
   }
+}
+
+/** All outlines of a region, to be drawn. @param {import("./region.js").Region} region @param {Frame} frame */
+const regionData = (region, frame) => outlinesOf(region).map((outline) => pixelPath(outline, frame)).join("");
+
+/** What a point is called. @param {import("./region.js").Region} region @param {number} index @param {number} count of all points */
+function nameOf(region, index, count) {
+  const hole = holeAt(region, index);
+  const bent = outlinesOf(region)[hole === null ? 0 : hole + 1].curves ? `; ${EDGES[kindOf(edgeAfter(region, index)[2])]} to the next` : "";
+  return `Point ${index + 1} of ${count}${hole === null ? "" : `, on hole ${hole + 1}`}${bent}`;
 }
 
 /** A picture where its frame lies. @param {{ context: CanvasRenderingContext2D, frame: Frame }} drawing @param {CanvasImageSource} picture @param {Frame} whole */

@@ -3,7 +3,7 @@
 import { photoFrame, toPlane } from "../common/frame.js";
 import { photos } from "../common/photos.js";
 import { placed } from "./outline.js";
-import { readPath } from "./path.js";
+import { readPath, readPaths } from "./path.js";
 import { makeRegion } from "./region.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -69,7 +69,9 @@ function coast() {
   });
 }
 
-/** Outlines about [−1, 1] in size, stretched to fit the photo: points, or a path with y upwards. @type {Map<string, { title: string } & ({ outline: Point[], path?: undefined } | { path: string })>} */
+/** An outline about [−1, 1] in size: points, or a path with y upwards. @typedef {{ title: string } & ({ outline: Point[], path?: undefined } | { path: string })} Shape */
+
+/** Shapes, stretched to fit the photo. @type {Map<string, Shape>} */
 export const shapes = new Map(Object.entries({
   square: { title: "Square", outline: [[-0.75, -0.75], [0.75, -0.75], [0.75, 0.75], [-0.75, 0.75]] },
   ell: { title: "L", outline: [[-0.8, -0.8], [0.8, -0.8], [0.8, 0], [0, 0], [0, 0.8], [-0.8, 0.8]] },
@@ -94,13 +96,24 @@ export const shapes = new Map(Object.entries({
   heart: { title: "Heart", path: "M0-.85C.3-.5 .95-.15 .95 .35C.95 .65 .72 .85 .45 .85C.22 .85 .06 .7 0 .5C-.06 .7-.22 .85-.45 .85C-.72 .85-.95 .65-.95 .35C-.95-.15-.3-.5 0-.85Z" },
 }));
 
+/** The same with holes, for pages whose regions may have them. @type {Map<string, Shape & { holes: string }>} */
+export const holedShapes = new Map(Object.entries({
+  frame: { title: "Frame, one hole", outline: [[-0.85, -0.85], [0.85, -0.85], [0.85, 0.85], [-0.85, 0.85]], holes: "M-.4-.4L.4-.4L.4 .4L-.4 .4Z" },
+  mask: {
+    title: "Mask, three holes",
+    path: "M0-.9C.5-.9 .85-.3 .85 .2C.85 .65 .5 .9 0 .9C-.5 .9-.85 .65-.85 .2C-.85-.3-.5-.9 0-.9Z",
+    holes: "M-.58 .24C-.5 .06-.24 .06-.16 .24C-.24 .42-.5 .42-.58 .24ZM.16 .24C.24 .06 .5 .06 .58 .24C.5 .42 .24 .42 .16 .24ZM-.34-.36C-.2-.62 .2-.62 .34-.36C.12-.46-.12-.46-.34-.36Z",
+  },
+}));
+
 /** In the menu of shapes: one of the visitor's own, and one of the letters. */
 export const READ = "read";
 export const LETTER = "letter";
 
-/** Fills a menu with all shapes. @param {HTMLSelectElement} select */
-export function listShapes(select) {
-  select.append(...[...shapes].map(([name, { title }]) => new Option(title, name)), new Option("A letter\u200a…", LETTER), new Option("From a file or text\u200a…", READ));
+/** Fills a menu with all shapes. @param {HTMLSelectElement} select @param {{ holed?: boolean }} [wishes] `holed`: those with holes too */
+export function listShapes(select, { holed = false } = {}) {
+  const all = [...shapes, ...(holed ? holedShapes : [])];
+  select.append(...all.map(([name, { title }]) => new Option(title, name)), new Option("A letter\u200a…", LETTER), new Option("From a file or text\u200a…", READ));
 }
 
 /** The first region on a picture: the one drawn for the photo, or an ellipse. @param {{ id: string, frame: import("../common/frame.js").Frame }} picture @returns {Region} */
@@ -130,7 +143,10 @@ export function regionOn(name, { outline, center, toward }) {
 /** A shape in the middle of a photo, as large as fits. @param {string} name @param {Point} size of the photo @returns {Region} */
 export function shapeRegion(name, [width, height]) {
   const scale = Math.min(width, height) / Math.max(width, height);
-  const shape = shapes.get(name);
+  const holed = holedShapes.get(name);
+  const shape = holed ?? shapes.get(name);
   const outline = shape?.path === undefined ? { boundary: shape?.outline ?? [] } : readPath(shape.path);
-  return makeRegion(placed(outline, scale, [0, 0]));
+  /** @param {import("./outline.js").Outline} drawn */
+  const fitted = (drawn) => placed(drawn, scale, [0, 0]);
+  return makeRegion(fitted(outline), undefined, undefined, holed && readPaths(holed.holes).map(fitted));
 }

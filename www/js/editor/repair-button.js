@@ -4,7 +4,7 @@ import { make } from "../common/menu.js";
 import { remark, tell } from "../common/page.js";
 import { contains } from "./geometry.js";
 import { polygonOf } from "./outline.js";
-import { faults, makeRegion, towardPoint } from "./region.js";
+import { makeRegion, meetingEdges, towardPoint } from "./region.js";
 import { changeWords, repairOutline } from "./repair.js";
 
 /** @typedef {import("./region.js").Region} Region */
@@ -16,7 +16,7 @@ export function repaired(region) {
   if (!found) return null;
   const { outline, changes } = found;
   const center = contains(outline, region.center) ? region.center : undefined;
-  return { region: makeRegion(outline, center, center && towardPoint(region)), said: changeWords(changes) + (region.curves ? " Its curves are many short lines now." : "") };
+  return { region: makeRegion(outline, center, center && towardPoint(region), region.holes), said: changeWords(changes) + (region.curves ? " Its curves are many short lines now." : "") };
 }
 
 /** @param {Store} store of the drawing @param {HTMLElement} stage over which the button lies */
@@ -32,12 +32,12 @@ export function offerRepair(store, stage) {
   let looked = null;
   const update = () => {
     const { region } = store.doc;
-    if (store.dragging || store.mode === "draw") {
+    if (store.dragging || store.mode !== "edit") {
       button.hidden = true;
       looked = null;
     } else if (region !== looked) {
       looked = region;
-      button.hidden = !faults(region).edges.size;
+      button.hidden = !meetingEdges(region).size;
     }
   };
   stage.append(button);

@@ -5,7 +5,7 @@ import { make, menuOf, menuRow } from "../common/menu.js";
 /** @typedef {import("./store.js").Store} Store */
 /** @typedef {"mesh" | "grid" | "field" | "heat" | "measure"} Name */
 
-/** @param {Store} store @param {HTMLButtonElement} button @param {HTMLElement[]} [more] rows @returns {(hasMesh?: boolean) => void} shows the state */
+/** @param {Store} store @param {HTMLButtonElement} button @param {HTMLElement[]} [more] rows @returns {(missing?: Name[]) => void} shows the state; what is missing cannot be chosen */
 export function showMenu(store, button, more = []) {
   /** @type {[Name, HTMLInputElement][]} */
   const boxes = [];
@@ -26,11 +26,11 @@ export function showMenu(store, button, more = []) {
     menuRow("Boundary", [check("measure", "Harmonic measure")], "how often walkers from the centre come out there"),
     ...more,
   ]);
-  return (hasMesh = true) => {
+  return (missing = []) => {
     const { shown } = store;
     for (const [name, box] of boxes) {
       box.checked = shown[name];
-      box.disabled = name === "mesh" && !hasMesh;
+      box.disabled = missing.includes(name);
     }
     density.value = String(shown.density);
     button.classList.toggle("on", boxes.some(([name]) => shown[name]));

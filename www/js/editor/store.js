@@ -1,17 +1,23 @@
 // The state of a drawing: a document (photo and region) with undo, and what is shown of it.
 
 import { History } from "../common/history.js";
+import { pointsOf } from "./region.js";
 
 /** @typedef {import("./region.js").Region} Region */
 /** @typedef {{ image: string, region: Region }} Document */
-/** What is shown over the pictures; `density`: rays of the grid, or field lines; `morph`: how far on the way from the region to the disk. @typedef {{ mesh: boolean, grid: boolean, field: boolean, heat: boolean, measure: boolean, density: number, morph: number }} Shown */
+/** @typedef {"edit" | "draw" | "hole"} Mode */
+/** What is shown over the pictures; `density`: rays of the grid, or field lines; `morph`: how far on the way from the region to the disk; `onto`: what a region with holes becomes, if somebody chose. @typedef {{ mesh: boolean, grid: boolean, field: boolean, heat: boolean, measure: boolean, density: number, morph: number, onto: Onto | null }} Shown */
+/** @typedef {typeof ONTO[number]} Onto */
 
-export const NOTHING_SHOWN = Object.freeze({ mesh: false, grid: false, field: false, heat: false, measure: false, density: 12, morph: 1 });
+/** A ring, the disk with slits in it, the disk with round holes. */
+export const ONTO = /** @type {const} */ (["ring", "slits", "circles"]);
+
+export const NOTHING_SHOWN = Object.freeze({ mesh: false, grid: false, field: false, heat: false, measure: false, density: 12, morph: 1, onto: null });
 
 /** @extends {History<Document>} */
 export class Store extends History {
   /** @type {Shown} */ shown;
-  /** @type {"edit" | "draw"} */ mode = "edit";
+  /** What presses do: edit, or draw a region or a hole in it. @type {Mode} */ mode = "edit";
   /** The vertex that the keyboard and the Remove button act on. @type {number | null} */
   selected = null;
 
@@ -41,7 +47,7 @@ export class Store extends History {
     this.tell("look");
   }
 
-  /** @param {"edit" | "draw"} mode */
+  /** @param {Mode} mode */
   setMode(mode) {
     if (mode === this.mode) return;
     this.mode = mode;
@@ -57,7 +63,7 @@ export class Store extends History {
 
   /** @protected @override @param {import("../common/history.js").Change} change */
   tell(change) {
-    if (this.selected !== null && this.selected >= this.doc.region.boundary.length) this.selected = null;
+    if (this.selected !== null && this.selected >= pointsOf(this.doc.region).length) this.selected = null;
     super.tell(change);
   }
 }

@@ -2,15 +2,15 @@
 
 import { between, outline, oneOf, photo, point, someOf } from "../common/address.js";
 import { knowsPicture } from "../common/images.js";
-import { planePath, readPath } from "./path.js";
-import { shapes } from "./presets.js";
+import { planePath, readPath, readPaths } from "./path.js";
+import { holedShapes, shapes } from "./presets.js";
 import { towardPoint } from "./region.js";
-import { NOTHING_SHOWN } from "./store.js";
+import { NOTHING_SHOWN, ONTO } from "./store.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("./region.js").Region} Region */
 /** @typedef {import("./store.js").Shown} Shown */
-/** @typedef {{ image?: string, shape?: string, region?: Point[], path?: import("./outline.js").Outline, center?: Point, toward?: Point }} Fields what an address says of one drawing */
+/** @typedef {{ image?: string, shape?: string, region?: Point[], path?: import("./outline.js").Outline, holes?: import("./outline.js").Outline[], center?: Point, toward?: Point }} Fields what an address says of one drawing */
 
 /** The fields of one drawing. */
 export const drawingSchema = {
@@ -22,22 +22,25 @@ export const drawingSchema = {
   toward: point,
 };
 
+/** And what a page whose regions may have holes knows besides. */
+export const holesSchema = { shape: oneOf([...shapes.keys(), ...holedShapes.keys()]), holes: readPaths, onto: oneOf(ONTO) };
+
 /** Names of what can be shown over a drawing. */
 const LAYERS = /** @type {const} */ (["mesh", "grid", "field", "heat", "measure"]);
 
 /** What is shown over a drawing. */
 export const shownSchema = { show: someOf(LAYERS), density: between(6, 48), morph: between(0, 1) };
 
-/** What an address says of that; what it leaves out is as given. @param {{ show?: (typeof LAYERS)[number][], density?: number, morph?: number }} fields @param {Shown} usual @returns {Shown} */
-export function shownOf({ show, density, morph }, usual) {
+/** What an address says of that; what it leaves out is as given. @param {{ show?: (typeof LAYERS)[number][], density?: number, morph?: number, onto?: import("./store.js").Onto }} fields @param {Shown} usual @returns {Shown} */
+export function shownOf({ show, density, morph, onto }, usual) {
   const told = show && Object.fromEntries(LAYERS.map((name) => [name, show.includes(name)]));
-  return { ...usual, ...told, ...(density && { density: Math.round(density) }), ...(morph !== undefined && { morph }) };
+  return { ...usual, ...told, ...(density && { density: Math.round(density) }), ...(morph !== undefined && { morph }), ...(onto && { onto }) };
 }
 
 /** @param {Shown} shown @returns {string} the fields, with & before them */
 export function encodeShown(shown) {
   const names = LAYERS.filter((name) => shown[name]);
-  return `${names.length ? `&show=${names.join(",")}` : ""}${shown.density === NOTHING_SHOWN.density ? "" : `&density=${shown.density}`}${shown.morph === 1 ? "" : `&morph=${short(shown.morph)}`}`;
+  return `${names.length ? `&show=${names.join(",")}` : ""}${shown.density === NOTHING_SHOWN.density ? "" : `&density=${shown.density}`}${shown.morph === 1 ? "" : `&morph=${short(shown.morph)}`}${shown.onto ? `&onto=${shown.onto}` : ""}`;
 }
 
 /** A ten-thousandth of half the photo is finer than a screen's pixel. @param {number} x */
@@ -61,7 +64,9 @@ export function drawingFields(doc, first) {
 
 /** @param {import("./store.js").Document} doc @returns {Record<string, string>} */
 function fieldsOf({ image, region }) {
+  /** @param {import("./outline.js").Outline} drawn */
+  const written = (drawn) => planePath(drawn, fine).replaceAll(" ", ",");
   /** @type {Record<string, string>} */
-  const outline = region.curves ? { path: planePath(region, fine).replaceAll(" ", ",") } : { region: write(region.boundary) };
-  return { image, ...outline, center: write([region.center]), toward: write([towardPoint(region)]) };
+  const outline = region.curves ? { path: written(region) } : { region: write(region.boundary) };
+  return { image, ...outline, ...(region.holes && { holes: region.holes.map(written).join("") }), center: write([region.center]), toward: write([towardPoint(region)]) };
 }

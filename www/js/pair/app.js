@@ -165,7 +165,7 @@ function draw() {
   const { shown } = keeper;
   from.draw({ dim: DIM, heat: outcome?.heat("source", shown), over: outcome?.layers("source", shown) });
   to.draw({ dim: 0, inside: outcome?.inside, heat: outcome?.heat("target", shown), over: outcome?.layers("target", shown) });
-  showShown(outcome === null || outcome.mesh !== null);
+  showShown(outcome?.mesh === null ? ["mesh"] : []);
 }
 
 /** @param {Result} result @param {boolean} done */

@@ -4,6 +4,7 @@ import { JointTriangulation, RegionMap, Texture } from "../../pkg/index.js";
 import { flatten, scaledTo, unflatten } from "../common/frame.js";
 import { arrowLines, meshEdges } from "../common/layers.js";
 import { bitmapOf } from "../common/plate.js";
+import { pointByPoint } from "../common/point-by-point.js";
 import { carriedHeat, DRAFT_HEAT, fenceOf, FINE_HEAT, heatOf, regionLines } from "../editor/field.js";
 import { drawnLayers, heatPixels } from "../editor/overlays.js";
 import { readOutline } from "../editor/read-outline.js";
@@ -29,8 +30,6 @@ const OFF = 2;
 const PATIENCE = 4000;
 /** Meshes are not made finer than for a view so wide. */
 const MESH_WIDTH = 0.5;
-/** Rows that are drawn point by point before the page is listened to. */
-const BAND = 16;
 /** Rows of a picture that is saved, and the length of an arrow's head as a share of the width. */
 const SAVED_BAND = 256;
 const HEAD = 0.02;
@@ -70,7 +69,7 @@ export class RegionsPipeline {
     if (joint) {
       pixels = joint.warp(texture, { texture: frame, view, direction: "push-forward", quality: "trilinear" });
     } else {
-      pixels = await pointByPoint(this.#between, texture, frame, view, talk);
+      pixels = await pointByPoint(this.#between, texture, frame, view, (share) => talk.progress("picture", (2 + share) / 3), talk.pause);
     }
     const warped = performance.now();
     const over = overOf(job, from, to, this.#between, joint);
@@ -178,18 +177,4 @@ function triangulated(from, to, { maxErrorPixels, view }, onShare) {
     if (NO_MESH.includes(/** @type {{ code?: string }} */ (error).code ?? "")) return null;
     throw error;
   }
-}
-
-/** @param {RegionMap} map @param {Texture} texture @param {Frame} frame @param {Frame} view @param {Talk} talk */
-async function pointByPoint(map, texture, frame, view, talk) {
-  const [width, height] = view.pixels;
-  const out = new Uint8ClampedArray(4 * width * height);
-  for (let row = 0; row < height; row += BAND) {
-    const end = Math.min(height, row + BAND);
-    const band = out.subarray(4 * width * row, 4 * width * end);
-    map.warp(texture, { texture: frame, view, direction: "push-forward", quality: "trilinear", out: band, rows: [row, end] });
-    talk.progress("picture", (2 + row / height) / 3);
-    await talk.pause();
-  }
-  return out;
 }
