@@ -21,7 +21,7 @@ const GOAL = 350_000;
 const MODULE = 570_000;
 const SMALL_MODULE = 172_000;
 /** What all else weighs now, and a little. @type {Record<string, number>} */
-const PAGES = { "": 141_000, "regions.html": 137_000, "formula.html": 108_000, "cortex.html": 131_000, "flow.html": 93_000, "fields.html": 72_000, "lessons.html": 61_000 };
+const PAGES = { "": 143_000, "regions.html": 137_000, "formula.html": 108_000, "cortex.html": 131_000, "flow.html": 93_000, "fields.html": 72_000, "lessons.html": 61_000 };
 
 /** @param {Buffer} bytes */
 const brotli = (bytes) => brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length } }).length;

@@ -55,9 +55,9 @@ export const isInside = (region, point) => outlinesOf(region).every((outline, k)
 
 /** The outline on which a point is changes, or the hole's; the others stay. @param {Region} region @param {number} index @param {(outline: Region, index: number) => Region} change @returns {Region} */
 function onOutline(region, index, change) {
+  if (!region.holes) return change(region, index);
   const { holes, ...outer } = region;
   const [k, at] = placeOf(region, index);
-  if (!holes) return change(outer, at);
   if (k === 0) return { ...change(outer, at), holes };
   const { boundary, curves } = change({ ...outer, ...holes[k - 1], curves: holes[k - 1].curves, toward: { edge: 0, t: 0 } }, at);
   return { ...region, holes: holes.with(k - 1, outlineOf(boundary, curves)) };
