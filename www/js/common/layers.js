@@ -112,8 +112,12 @@ function pathOf(layer, frame) {
   return data;
 }
 
-/** An arrow, in the plane. @param {Point} from @param {Point} to @param {number} head its length @returns {Float64Array[]} */
-export function arrowLines([x0, y0], [x1, y1], head) {
+/** An arrow's head, as a share of the width of what it is drawn in. */
+const HEAD = 0.02;
+
+/** An arrow, in the plane. @param {Point} from @param {Point} to @param {Frame} frame in which it is drawn @returns {Float64Array[]} */
+export function arrowLines([x0, y0], [x1, y1], { width }) {
+  const head = HEAD * width;
   const length = Math.hypot(x1 - x0, y1 - y0) || 1;
   const [u, v] = [(head * (x1 - x0)) / length, (head * (y1 - y0)) / length];
   return [Float64Array.of(x0, y0, x1, y1), Float64Array.of(x1 - u - v / 2, y1 - v + u / 2, x1, y1, x1 - u + v / 2, y1 - v - u / 2)];

@@ -21,6 +21,9 @@ import { PngWriter } from "./png.js";
  * @property {Panel[]} panels the lines of the picture's plane last
  * @property {() => void} free
  */
+/** Rows that are usually drawn at once. */
+export const BAND = 256;
+
 /** What is wanted: `density` pixels of the picture stand for one of the panel. @typedef {{ kind: "picture" | "drawing", lines: boolean, density: number, title: string }} Wanted */
 
 /** A picture's file is read at so many pixels at most. */

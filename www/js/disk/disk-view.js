@@ -13,9 +13,6 @@ import { markVector, updateVector } from "../editor/vector.js";
 /** @typedef {import("../editor/store.js").Shown} Shown */
 /** @typedef {import("./outcome.js").Outcome} Outcome */
 
-/** An arrow's head, as a share of the width. */
-const HEAD = 0.02;
-
 export class DiskView {
   root;
   /** What is seen of the disk's plane, in CSS pixels of the panel. @type {Frame} */
@@ -82,6 +79,6 @@ export class DiskView {
     if (heat) drawWithin(drawing, heat.picture, heat.frame);
     drawLayers(drawing, outcome.layers("target", shown), quick);
     if (walls) drawLayers(drawing, [{ ink: "outline", lines: walls.lines, closed: true }]);
-    if (way) drawLayers(drawing, [{ ink: "rim", lines: [way.outline], closed: true }, { ink: "vector", lines: arrowLines(way.toward, way.center, HEAD * this.frame.width) }]);
+    if (way) drawLayers(drawing, [{ ink: "rim", lines: [way.outline], closed: true }, { ink: "vector", lines: arrowLines(way.toward, way.center, this.frame) }]);
   }
 }

@@ -3,8 +3,9 @@
 import { Texture } from "../../pkg/index.js";
 import { flatten, scaledTo, unflatten } from "../common/frame.js";
 import { arrowLines } from "../common/layers.js";
+import { BAND } from "../common/plate.js";
 import { pointByPoint } from "../common/point-by-point.js";
-import { carriedHeat, circleLine, diskLines, DRAFT_HEAT, FINE_HEAT, heatOf } from "../editor/field.js";
+import { carriedHeat, diskLines, DRAFT_HEAT, FINE_HEAT, heatOf, UNIT_CIRCLE } from "../editor/field.js";
 import { drawnLayers, heatPixels } from "../editor/overlays.js";
 import { polygonOf } from "../editor/outline.js";
 import { readPath } from "../editor/path.js";
@@ -22,10 +23,6 @@ import { solveCanonical } from "./canonical.js";
 /** A line parts where its image jumps over a hole: by more than this share of the region's size, and this many times its last step. */
 const LEAP = 0.02;
 const STRIDE = 6;
-/** Rows of a picture that is saved, and the length of an arrow's head as a share of the width. */
-const SAVED_BAND = 256;
-const HEAD = 0.02;
-const CIRCLE = circleLine(1);
 
 export class HoledImage {
   /** @type {(Canonical & { key: string, ms: number }) | null} */
@@ -76,12 +73,12 @@ export class HoledImage {
     const holes = job.holes.map((path) => flatten(polygonOf(readPath(path))));
     return {
       frame: view,
-      band: SAVED_BAND,
+      band: BAND,
       draw: (rows) => map.warp(texture, { ...way, texture: frame, rows }),
       tint: colours && heat && ((rows) => map.warp(colours, { ...way, texture: heat.frame, rows })),
       panels: [
-        { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...drawnLayers(source, undefined, null), { ink: "outline", lines: [corners, ...holes], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, HEAD * frame.width) }] },
-        { name: "disk", frame: view, layers: [...drawnLayers(target, undefined, null), { ink: "rim", lines: [CIRCLE], closed: true }, { ink: "outline", lines: walls, closed: true }] },
+        { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...drawnLayers(source, undefined, null), { ink: "outline", lines: [corners, ...holes], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, frame) }] },
+        { name: "disk", frame: view, layers: [...drawnLayers(target, undefined, null), { ink: "rim", lines: [UNIT_CIRCLE], closed: true }, { ink: "outline", lines: walls, closed: true }] },
       ],
       free: () => colours?.free(),
     };
@@ -110,17 +107,16 @@ function radiusOf({ map }, center) {
 function overOf({ show: { grid, heat }, view, fine, center }, solved) {
   const { map, corners } = solved;
   const field = heat ? heatOf(map, radiusOf(solved, center), corners, fine ? FINE_HEAT : DRAFT_HEAT) : null;
-  const lines = grid ? diskLines(grid, fine).flatMap((line) => aroundHoles(line, solved)) : [];
+  const leap = LEAP * corners.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+  const lines = grid ? diskLines(grid, fine).flatMap((line) => aroundHoles(line, solved.from(line), leap)) : [];
   return {
     source: { lines: lines.map(({ source }) => source), fence: null, heat: field },
     target: { lines: lines.map(({ target }) => target), fence: null, heat: field && carriedHeat(map, field, scaledTo(view, FINE_HEAT / 2)) },
   };
 }
 
-/** The parts of a line that have an image, and the images. @param {Float64Array} line @param {Canonical} solved @returns {{ source: Float64Array, target: Float64Array }[]} */
-function aroundHoles(line, { from, corners }) {
-  const images = from(line);
-  const leap = LEAP * corners.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+/** The parts of a line that have an image, and the images. @param {Float64Array} line @param {Float64Array} images NaN for what has none @param {number} leap that parts them @returns {{ source: Float64Array, target: Float64Array }[]} */
+function aroundHoles(line, images, leap) {
   /** @type {{ source: Float64Array, target: Float64Array }[]} */
   const parts = [];
   let begin = 0;

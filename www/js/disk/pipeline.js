@@ -3,7 +3,8 @@
 import { JointTriangulation, Texture } from "../../pkg/index.js";
 import { diskFrame, flatten, scaledTo } from "../common/frame.js";
 import { arrowLines, meshEdges } from "../common/layers.js";
-import { carriedHeat, CIRCLE_FENCE, circleLine, diskLines, DRAFT_HEAT, fenceOf, FINE_HEAT, heatOf, regionLines } from "../editor/field.js";
+import { BAND } from "../common/plate.js";
+import { carriedHeat, CIRCLE_FENCE, diskLines, DRAFT_HEAT, fenceOf, FINE_HEAT, heatOf, regionLines, UNIT_CIRCLE } from "../editor/field.js";
 import { drawnLayers, heatPixels } from "../editor/overlays.js";
 import { readOutline } from "../editor/read-outline.js";
 import { SolvedMap } from "../editor/solved-map.js";
@@ -52,12 +53,7 @@ import { wayBetween } from "./homotopy.js";
 
 /** `shape`: what it was made for, but for center and direction. @typedef {{ shape: string, key: string, center: Point, mesh: JointTriangulation, ms: number }} Meshed */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
-/** Rows that are drawn at once where a picture is saved. */
-const BAND = 256;
-/** An arrow's head, as a share of the width. */
-const HEAD = 0.02;
 const PUSHED = { direction: /** @type {const} */ ("push-forward") };
-const CIRCLE = circleLine(1);
 /** Meshes are not made finer than for a view so wide. */
 const MESH_WIDTH = 0.5;
 /** While a vector is moved, the nodes of a mesh serve centers so far from its own: then its errors are hardly larger. */
@@ -152,8 +148,8 @@ export class RegionPipeline {
       draw: (rows) => mesh.warp(texture, { ...way, texture: frame, rows }),
       tint: colours && heat && ((rows) => mesh.warp(colours, { ...way, texture: heat.frame, rows })),
       panels: [
-        { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...drawnLayers(source, mesh.source, edges), { ink: "outline", lines: [corners], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, HEAD * frame.width) }] },
-        { name: "disk", frame: view, layers: [...drawnLayers(target, mesh.target, edges), { ink: "rim", lines: [between?.outline ?? CIRCLE], closed: true }, { ink: "vector", lines: arrowLines(between?.toward ?? [1, 0], between?.center ?? [0, 0], HEAD * view.width) }] },
+        { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...drawnLayers(source, mesh.source, edges), { ink: "outline", lines: [corners], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, frame) }] },
+        { name: "disk", frame: view, layers: [...drawnLayers(target, mesh.target, edges), { ink: "rim", lines: [between?.outline ?? UNIT_CIRCLE], closed: true }, { ink: "vector", lines: arrowLines(between?.toward ?? [1, 0], between?.center ?? [0, 0], view) }] },
       ],
       free: () => {
         colours?.free();

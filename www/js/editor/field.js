@@ -200,5 +200,8 @@ export function fenceOf(map, outline) {
 /** A circle about 0. @param {number} radius @returns {Float64Array} */
 export const circleLine = (radius) => flatten(Array.from({ length: 361 }, (_, k) => [radius * Math.cos((2 * Math.PI * k) / 360), radius * Math.sin((2 * Math.PI * k) / 360)]));
 
-/** The same of the circle, where the measure is spread evenly. */
-export const CIRCLE_FENCE = new Float64Array([...circleLine(1), ...circleLine(1 + HEIGHT / 3)]);
+/** The unit circle. */
+export const UNIT_CIRCLE = circleLine(1);
+
+/** The fence of the circle, where the measure is spread evenly. */
+export const CIRCLE_FENCE = new Float64Array([...UNIT_CIRCLE, ...circleLine(1 + HEIGHT / 3)]);

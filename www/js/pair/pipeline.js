@@ -3,7 +3,7 @@
 import { JointTriangulation, RegionMap, Texture } from "../../pkg/index.js";
 import { flatten, scaledTo, unflatten } from "../common/frame.js";
 import { arrowLines, meshEdges } from "../common/layers.js";
-import { bitmapOf } from "../common/plate.js";
+import { BAND, bitmapOf } from "../common/plate.js";
 import { pointByPoint } from "../common/point-by-point.js";
 import { carriedHeat, DRAFT_HEAT, fenceOf, FINE_HEAT, heatOf, regionLines } from "../editor/field.js";
 import { drawnLayers, heatPixels } from "../editor/overlays.js";
@@ -30,9 +30,6 @@ const OFF = 2;
 const PATIENCE = 4000;
 /** Meshes are not made finer than for a view so wide. */
 const MESH_WIDTH = 0.5;
-/** Rows of a picture that is saved, and the length of an arrow's head as a share of the width. */
-const SAVED_BAND = 256;
-const HEAD = 0.02;
 /** What the library says when the maps leave no room for a mesh, or it was given up. */
 const NO_MESH = ["cancelled", "crowded", "invalid-mesh"];
 
@@ -110,11 +107,11 @@ export class RegionsPipeline {
     const lines = ({ boundary, center, toward }, over, points, place) => [
       ...drawnLayers(over, points, edges),
       { ink: "outline", lines: [boundary], closed: true },
-      { ink: "vector", lines: arrowLines(toward, center, HEAD * place.width) },
+      { ink: "vector", lines: arrowLines(toward, center, place) },
     ];
     return {
       frame: view,
-      band: SAVED_BAND,
+      band: BAND,
       draw: (rows) => (joint ?? between).warp(texture, { ...way, texture: frame, rows }),
       tint: colours && heat && ((rows) => (joint ?? between).warp(colours, { ...way, texture: heat.frame, rows })),
       behind: { picture: await bitmapOf(job.behind), frame: job.behind.frame },
