@@ -84,9 +84,9 @@ pub use plane::{
     SmoothCurve, parse_outline, parse_path, parse_path_with_holes, parse_shape, path_data, spline,
 };
 pub use riemann::{
-    AnnulusMap, CanonicalMap, Circle, CircleMap, Circulation, Conductors, DiskPoint, Electrostatics, ExteriorMap,
-    FlowLines, HalfPlaneMap, JoinedMap, LevelLine, PotentialFlow, RectangleMap, RegionMap, RiemannMap, RingLines, Slit,
-    SlitKind, SlitMap, StripMap,
+    AnnulusMap, CanonicalMap, ChannelEnds, ChannelFlow, Circle, CircleMap, Circulation, Conductors, DiskPoint,
+    Electrostatics, ExteriorMap, FlowLines, HalfPlaneMap, JoinedMap, LevelLine, PotentialFlow, RectangleMap, RegionMap,
+    RiemannMap, RingLines, Slit, SlitKind, SlitMap, StripMap,
 };
 pub use symm::options::{Progress, SolveOptions, Stop};
 #[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]

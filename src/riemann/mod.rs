@@ -16,6 +16,7 @@ mod lazy_tree;
 mod marked;
 mod near_one;
 mod polygon;
+mod polyline;
 mod recentred;
 mod region_map;
 mod riemann_map;
@@ -29,6 +30,6 @@ pub use holes::{
     PotentialFlow, RingLines, Slit, SlitKind, SlitMap,
 };
 pub use joined::{CanonicalMap, JoinedMap};
-pub use marked::{HalfPlaneMap, RectangleMap, StripMap};
+pub use marked::{ChannelEnds, ChannelFlow, HalfPlaneMap, RectangleMap, StripMap};
 pub use region_map::RegionMap;
 pub use riemann_map::RiemannMap;

@@ -122,12 +122,7 @@ impl PotentialFlow {
         levels: &[f64],
         frame: Ts<FrameOptions>,
     ) -> Result<LevelLines, Failure> {
-        let what = match what {
-            "streamlines" => FlowLines::Streamlines,
-            "potentials" => FlowLines::Potentials,
-            _ => return Err(Failure::option("what", "what must be \"streamlines\" or \"potentials\".")),
-        };
-        Ok(self.0.level_lines(what, level_lines::finite(levels)?, level_lines::window(&frame)?).into())
+        Ok(self.0.level_lines(lines(what)?, level_lines::finite(levels)?, level_lines::window(&frame)?).into())
     }
 
     /// The points off the bodies in a frame where the fluid rests.
@@ -183,6 +178,18 @@ impl PotentialFlow {
     #[wasm_bindgen(unchecked_return_type = "[x: number, y: number]")]
     pub fn force(&self, density: Option<f64>) -> Result<js_sys::Array, Failure> {
         Ok(points::pair(self.0.force(checked(density)?)))
+    }
+}
+
+/// Which lines are meant.
+///
+/// # Errors
+/// "invalid-option" for others.
+pub fn lines(what: &str) -> Result<FlowLines, Failure> {
+    match what {
+        "streamlines" => Ok(FlowLines::Streamlines),
+        "potentials" => Ok(FlowLines::Potentials),
+        _ => Err(Failure::option("what", "what must be \"streamlines\" or \"potentials\".")),
     }
 }
 

@@ -11,6 +11,8 @@ pub mod annulus;
 #[cfg(feature = "regions")]
 pub mod canonical;
 #[cfg(feature = "regions")]
+pub mod channel;
+#[cfg(feature = "regions")]
 pub mod circles;
 #[cfg(feature = "regions")]
 pub mod cortex;

@@ -10,7 +10,7 @@ import { calls, types } from "../../pkg/signatures.js";
 /** @typedef {import("../../js/check.js").Type} Type */
 /** @typedef {import("../../js/check.js").Parameter} Parameter */
 
-const { default: init, AnnulusMap, CircleMap, Electrostatics, ExteriorMap, FormulaMap, FoveatedTexture, HalfPlaneMap, JointTriangulation, PotentialFlow, RectangleMap, Region, RegionMap, RetinoCorticalMap, RiemannMap, SlitMap, StripMap, Texture } = warp;
+const { default: init, AnnulusMap, ChannelFlow, CircleMap, Electrostatics, ExteriorMap, FormulaMap, FoveatedTexture, HalfPlaneMap, JointTriangulation, PotentialFlow, RectangleMap, Region, RegionMap, RetinoCorticalMap, RiemannMap, SlitMap, StripMap, Texture } = warp;
 
 const declared = readFileSync(new URL("../../pkg/index.d.ts", import.meta.url), "utf8");
 const codes = new Set([.../** @type {RegExpExecArray} */ (/type ErrorCode = (.*);/.exec(declared))[1].matchAll(/"([a-z-]+)"/g)].map(([, code]) => code));
@@ -30,6 +30,7 @@ before(async () => {
   const holed = {
     AnnulusMap: annulus,
     LevelLines: annulus.levelLines("circles", new Float64Array([0.8])),
+    ChannelFlow: ChannelFlow.solve(region, { ends: [[-1, 0], [1, 0]] }),
     RectangleMap: RectangleMap.solve(region, { corners: [[-1, -1], [1, -1], [1, 1], [-1, 1]] }),
     StripMap: StripMap.solve(region, { ends: [[-1, 0], [1, 0]] }),
     HalfPlaneMap: HalfPlaneMap.solve(region, { pole: [1, 1] }),
@@ -310,6 +311,9 @@ test("what is wrong is said so that it can be mended", () => {
   const cases = [
     [/rgba\[0\].*from 0 to 255, found 300/, () => new Texture(/** @type {any} */ (Array(256).fill(300)), 8, 8)],
     [/an array of 4 points, found an array of 3/, () => RectangleMap.solve(region, { corners: /** @type {any} */ ([0, 1, 2]) })],
+    [/either four corners or two ends/, () => ChannelFlow.solve(region, {})],
+    [/counter-clockwise/, () => ChannelFlow.solve(region, { corners: [[-1, -1], [-1, 1], [1, 1], [1, -1]] })],
+    [/flux.*positive number/, () => ChannelFlow.solve(region, { ends: [[-1, 0], [1, 0]], flux: 0 })],
     [/an AnnulusMap/, () => annulus.toAnnulus.call(texture, new Float64Array(2))],
     [/found "4"/, () => new Texture(new Uint8Array(4), /** @type {any} */ ("4"), 1)],
     [/it is 1\.000e-300\.$/, () => RiemannMap.solve(region, { tolerance: 1e-300 })],

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import init, { AnnulusMap, Electrostatics, PotentialFlow, Region } from "conformal-warp";
+import init, { AnnulusMap, ChannelFlow, Electrostatics, PotentialFlow, Region } from "conformal-warp";
 
 await init();
 
@@ -65,4 +65,28 @@ test("streamlines", () => {
     // The ends are where the last chord leaves the frame.
     assert.ok(misses.slice(1, -1).every((miss) => miss < 1e-9) && misses.every((miss) => miss < 1e-4), `${Math.max(...misses)}`);
   }
+});
+
+test("a channel", () => {
+  const region = new Region({ boundary: new Float64Array([0, 2, 0, 0, 2, 0, 2, 1, 1, 1, 1, 2]), center: [0.5, 0.5], toward: [0, 0] });
+  const flow = ChannelFlow.solve(region, { corners: [[1, 2], [0, 2], [2, 0], [2, 1]], flux: 2 }, { tolerance: 1e-10 });
+  // A bend is as long as 1 − (2/π) log 2 of its width, but for e^(−2π) of what its short legs change.
+  assert.ok(Math.abs(flow.potentialDifference / 2 - (3 - (2 / Math.PI) * Math.LN2)) < 1e-3, `${flow.potentialDifference}`);
+  assert.equal(flow.speed, 2);
+  const streamlines = flow.levelLines("streamlines", new Float64Array([0, 0.5, 1, 3]));
+  holdsTogether(streamlines);
+  assert.equal(streamlines.length, 3, "there is no ψ beyond the flux");
+  for (const [k, level] of streamlines.levels.entries()) {
+    assert.ok(flow.stream(line(streamlines, k)).every((psi) => Math.abs(psi - level) < 1e-8));
+  }
+  const potentials = flow.levelLines("potentials", new Float64Array([1]));
+  holdsTogether(potentials);
+  const values = flow.potential(line(potentials, 0));
+  assert.ok(values.every((value, k) => k % 2 === 1 || Math.abs(value - 1) < 1e-8));
+  const [u, v] = flow.velocity(new Float64Array([0.5, 1.9]));
+  assert.ok(v < -1.9 && Math.abs(u) < 0.1, "down the first leg");
+  assert.ok(Math.abs(flow.pressure(new Float64Array([0.5, 1.9]))[0] - (1 - (u * u + v * v) / 4)) < 1e-12);
+  assert.equal(ChannelFlow.solve(region, { ends: [[0.5, 2], [2, 0.5]] }).potentialDifference, Infinity);
+  const holed = new Region({ boundary: square(1), holes: [square(0.5)] });
+  assert.throws(() => ChannelFlow.solve(holed, { ends: [[-1, 0], [1, 0]] }), { code: "wrong-region" });
 });

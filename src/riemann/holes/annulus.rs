@@ -2,8 +2,9 @@
 
 use super::super::both_ways::{Pointwise, places, two_ways};
 use super::super::evidence::{Evidence, evidence_methods};
+use super::super::polyline::polyline;
 use super::canonical::{Canonical, Form, prepared};
-use super::level_lines::{LevelLine, polyline};
+use super::level_lines::LevelLine;
 use super::solved::Solved;
 use crate::plane::{Complex64, Domain};
 use crate::symm::options::{Progress, SolveOptions};
@@ -117,7 +118,7 @@ impl AnnulusMap {
                 RingLines::Circles => self.place(Complex64::from_polar(level, TAU * t)),
                 RingLines::Rays => self.place(Complex64::from_polar((self.log_inner_radius * t).exp(), level)),
             };
-            let points = polyline(&|t| at(t).map(|(z, _)| z))?;
+            let points = polyline(64, &|t| at(t).map(|(z, _)| z))?;
             Some(LevelLine { level, points: if closed { points[1..].to_vec() } else { points }, closed })
         };
         levels.iter().filter_map(line).collect()

@@ -1,6 +1,7 @@
 //! Lines on which the imaginary part of an analytic function of a domain has given values: traced from point to point by the
 //! function itself, so that every point lies on its line as exactly as the function is known.
 
+use super::super::polyline::TURN;
 use super::field::DomainField;
 use crate::plane::Complex64;
 use rustc_hash::FxHashSet;
@@ -33,9 +34,7 @@ pub type Window = (Complex64, Complex64);
 
 /// Cells along the window's longer side: lines are found where they cross their edges.
 const CELLS: f64 = 72.0;
-/// A line turns by no more than this from a point to the next, in radians,
-const TURN: f64 = 0.12;
-/// and these are not farther apart than this share of a cell,
+/// Points of a line are not farther apart than this share of a cell,
 const LONGEST: f64 = 0.9;
 /// nor nearer than this unless the line ends.
 const SHORTEST: f64 = 1e-4;
@@ -449,36 +448,6 @@ impl<'a> Lattice<'a> {
         }
         Some(z)
     }
-}
-
-/// Points of a curve, t from 0 to 1, that look smooth when joined; `None` if one of them is nowhere.
-#[must_use]
-pub fn polyline(at: &dyn Fn(f64) -> Option<Complex64>) -> Option<Vec<Complex64>> {
-    const FIRST: usize = 64;
-    const ROUNDS: usize = 14;
-    let first = (0..=FIRST).map(|k| k as f64 / FIRST as f64);
-    let mut points: Vec<(f64, Complex64)> = first.map(|t| Some((t, at(t)?))).collect::<Option<_>>()?;
-    for _ in 0..ROUNDS {
-        let turns: Vec<bool> = points
-            .windows(3)
-            .map(|three| ((three[2].1 - three[1].1) * (three[1].1 - three[0].1).conj()).arg().abs() > TURN)
-            .collect();
-        let rough = |k: usize| turns.get(k).is_some_and(|turn| *turn) || k > 0 && turns[k - 1];
-        let mut finer = Vec::with_capacity(2 * points.len());
-        for (k, pair) in points.windows(2).enumerate() {
-            finer.push(pair[0]);
-            if rough(k) {
-                let t = 0.5 * (pair[0].0 + pair[1].0);
-                finer.push((t, at(t)?));
-            }
-        }
-        finer.push(points[points.len() - 1]);
-        if finer.len() == points.len() {
-            break;
-        }
-        points = finer;
-    }
-    Some(points.into_iter().map(|(_, z)| z).collect())
 }
 
 fn distance_from_segment(z: Complex64, a: Complex64, b: Complex64) -> f64 {

@@ -32,7 +32,7 @@ use std::f64::consts::PI;
 pub struct RectangleMap {
     map: MarkedMap<Rectangle>,
     corners: [Complex64; 4],
-    evidence: Evidence,
+    pub(super) evidence: Evidence,
 }
 
 impl RectangleMap {

@@ -31,7 +31,7 @@ use std::f64::consts::{FRAC_1_PI, PI};
 pub struct StripMap {
     map: MarkedMap<Strip>,
     ends: [Complex64; 2],
-    evidence: Evidence,
+    pub(super) evidence: Evidence,
 }
 
 impl StripMap {

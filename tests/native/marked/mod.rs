@@ -1,5 +1,6 @@
 //! Maps that marked boundary points make unique.
 
+mod channel;
 mod curves;
 mod lines;
 mod rectangle;
