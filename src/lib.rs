@@ -81,7 +81,7 @@ pub use map::{Compose, Inverse, InvertibleMap, Jet, Moebius, PlaneMap};
 pub use mesh::{Density, JointTriangulation, MeshEvidence, MeshOptions, MeshStop, Route};
 pub use plane::{
     ArcTo, BoundaryPoint, Complex64, Curve, CurvedOutline, Domain, Edge, EllipticArc, Frame, Polygon, Region, Shape,
-    SmoothCurve, parse_outline, parse_path, parse_path_with_holes, parse_shape, path_data, spline,
+    SmoothCurve, parse_outline, parse_path, parse_path_with_holes, parse_shape, path_data, smooth_edges, spline,
 };
 pub use riemann::{
     AnnulusMap, CanonicalMap, ChannelEnds, ChannelFlow, Circle, CircleMap, Circulation, Conductors, DiskPoint,

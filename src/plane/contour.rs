@@ -1,6 +1,5 @@
 //! One simple closed curve: a polygon, a smooth curve through the same points, or a chain of curved edges.
 
-use super::chains::lines_through;
 use super::polygon::ON_BOUNDARY;
 use super::{BoundaryPoint, Complex64, CurvedOutline, Edge, Polygon, SmoothCurve};
 use crate::{Error, Result};
@@ -177,16 +176,6 @@ impl Contour {
         let before = self.polygon.edge((edge + self.polygon.len() - 1) % self.polygon.len());
         let after = self.polygon.edge(edge);
         Some(((after.1 - after.0) * (before.1 - before.0).conj()).arg())
-    }
-
-    /// As a chain of edges; `None` if it is a smooth curve.
-    #[inline(never)]
-    pub fn as_edges(&self) -> Option<Result<Arc<CurvedOutline>>> {
-        match &self.shape {
-            Shape::Smooth(_) => None,
-            Shape::Curved(outline) => Some(Ok(Arc::clone(outline))),
-            Shape::Straight => Some(CurvedOutline::new(&lines_through(self.polygon.vertices())).map(Arc::new)),
-        }
     }
 
     /// Where an edge starts.

@@ -18,6 +18,7 @@ mod outline_text;
 mod polygon;
 mod region;
 mod smooth_curve;
+mod smooth_pieces;
 mod sorting;
 mod spline;
 mod stored_edges;
@@ -41,6 +42,7 @@ pub(crate) use polygon::ON_BOUNDARY;
 pub use polygon::{BoundaryPoint, Polygon};
 pub use region::Region;
 pub use smooth_curve::SmoothCurve;
+pub use smooth_pieces::smooth_edges;
 pub(crate) use sorting::{sort_by, sort_by_number};
 pub use spline::spline;
 

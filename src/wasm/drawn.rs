@@ -3,16 +3,18 @@
 use super::error::Failure;
 use super::options::Point;
 use super::points;
+use super::reading::Read;
+use super::region::JoinedPoints;
 use crate::Error;
 use crate::plane::chains::lines_through;
-use crate::plane::{self, Complex64, Curve, Domain, Edge, EllipticArc};
+use crate::plane::{self, Complex64, Curve, Domain, Edge, EllipticArc, smooth_edges};
 use js_sys::{Array, Float64Array, Reflect};
 use wasm_bindgen::{JsCast, JsValue};
 
 /// An outline before it is known to bound anything.
 pub enum Drawn {
-    /// Its vertices.
-    Points(Vec<Complex64>),
+    /// Its points, and how they are joined if not as those of others.
+    Points(Vec<Complex64>, Option<Curve>),
     /// Its chain of edges.
     Edges(Vec<Edge>),
 }
@@ -38,7 +40,7 @@ impl Given {
         }
         match (self.boundary, self.path, self.edges, self.through) {
             (Some(boundary), None, None, None) => {
-                Ok(Drawn::Points(points::from_flat("The boundary", &boundary.to_vec())?))
+                Ok(Drawn::Points(points::from_flat("The boundary", &boundary.to_vec())?, None))
             }
             (None, Some(path), None, None) => Ok(Drawn::Edges(read_path(&path)?)),
             (None, None, Some(edges), None) => Ok(Drawn::Edges(edges_of(&edges)?)),
@@ -124,33 +126,53 @@ pub fn outlines(holes: Option<JsValue>) -> Result<Vec<Drawn>, Failure> {
             return Ok(Drawn::Edges(plane::parse_path(&path)?));
         }
         match hole.dyn_ref::<Float64Array>() {
-            Some(array) => Ok(Drawn::Points(points::from_flat("A hole", &array.to_vec())?)),
+            Some(array) => Ok(Drawn::Points(points::from_flat("A hole", &array.to_vec())?, None)),
             None if Array::is_array(&hole) => Ok(Drawn::Edges(edges_of(&hole)?)),
-            None => Err(Failure::option("holes", "A hole is a Float64Array, a path or an array of edges.")),
+            None => {
+                let JoinedPoints { boundary, curve } = JoinedPoints::read(&hole)?;
+                Ok(Drawn::Points(points::from_flat("A hole", &boundary.to_vec())?, Some(curve)))
+            }
         }
     };
     holes.map_or_else(Array::new, |holes| Array::from(&holes)).iter().map(outline).collect()
 }
 
-/// The region that outlines bound, `bounded` telling whether the first is around it.
+/// The region that outlines bound, `bounded` telling whether the first is around it; `curve` joins the points of those that do not
+/// say it themselves.
 ///
 /// # Errors
-/// Those of [`Domain::new`] and [`Domain::from_edges`]; "invalid-option" for a `curve` beside edges.
+/// Those of [`Domain::new`], [`Domain::from_edges`] and [`smooth_edges`]; "invalid-option" for a `curve` beside edges.
 pub fn domain_of(outlines: Vec<Drawn>, bounded: bool, curve: Option<Curve>) -> Result<Domain, Failure> {
-    let points = |outline: &Drawn| if let Drawn::Points(points) = outline { Some(points.clone()) } else { None };
-    if let Some(all) = outlines.iter().map(points).collect::<Option<Vec<_>>>() {
-        let curve = curve.unwrap_or_default();
-        return Ok(if bounded { Domain::new(&all[0], &all[1..], curve)? } else { Domain::exterior(&all, curve)? });
-    }
-    if curve.is_some() {
+    let usual = curve.unwrap_or_default();
+    let joined = |outline: &Drawn| if let Drawn::Points(_, own) = outline { Some(own.unwrap_or(usual)) } else { None };
+    let curves: Vec<Option<Curve>> = outlines.iter().map(joined).collect();
+    if curve.is_some() && curves.iter().any(Option::is_none) {
         return Err(not_with_edges("curve"));
     }
-    let edges = |outline| match outline {
-        Drawn::Edges(edges) => edges,
-        Drawn::Points(points) => lines_through(&points),
+    if let (Some(curve), true) = (curves[0], curves.iter().all(|other| *other == curves[0])) {
+        let points = |outline| if let Drawn::Points(points, _) = outline { points } else { Vec::new() };
+        let all: Vec<Vec<Complex64>> = outlines.into_iter().map(points).collect();
+        return Ok(if bounded { Domain::new(&all[0], &all[1..], curve)? } else { Domain::exterior(&all, curve)? });
+    }
+    let edges = |(k, outline)| {
+        Ok(match outline {
+            Drawn::Edges(edges) => edges,
+            Drawn::Points(points, _) if curves[k] == Some(Curve::Smooth) => {
+                smooth_edges(&points).map_err(|error| in_hole(k, bounded, error))?
+            }
+            Drawn::Points(points, _) => lines_through(&points),
+        })
     };
-    let all: Vec<Vec<Edge>> = outlines.into_iter().map(edges).collect();
+    let all = outlines.into_iter().enumerate().map(edges).collect::<Result<Vec<Vec<Edge>>, Error>>()?;
     Ok(if bounded { Domain::from_edges(&all[0], &all[1..])? } else { Domain::exterior_of_edges(&all)? })
+}
+
+/// What is wrong with the outline number `k`, as [`Domain`] says it.
+fn in_hole(k: usize, bounded: bool, error: Error) -> Error {
+    match k.checked_sub(usize::from(bounded)) {
+        Some(hole) => Error::InHole { hole, error: Box::new(error) },
+        None => error,
+    }
 }
 
 /// The domain with the points that give maps their place and direction.

@@ -44,7 +44,7 @@ pub struct RegionOptions {
     /// Indices of the points of `through` that are corners; none by default.
     #[tsify(optional)]
     pub corners: Option<Vec<usize>>,
-    /// Each hole, in either orientation: its boundary points, joined as those of `boundary`, or a path, or edges.
+    /// Each hole, in either orientation: its boundary points, joined as `curve` says or as they say themselves, or a path, or edges.
     #[tsify(optional, type = "HoleOptions[]")]
     pub holes: Option<JsValue>,
     /// The point strictly inside that the Riemann map takes to 0. A region with holes needs none, unless its map does.
@@ -57,10 +57,23 @@ pub struct RegionOptions {
 }
 fields!(RegionOptions: boundary, curve, path, edges, through, corners, holes, center, toward);
 
+/// A hole or a body of which the points are joined in its own way: smooth curves may lie beside polygons, paths and edges, as
+/// cubic curves that leave them by a few 10⁻¹³ of their size.
+#[derive(Debug, Tsify)]
+pub struct JoinedPoints {
+    /// Its boundary points `[x0, y0, x1, y1, …]`, in either orientation.
+    #[tsify(type = "Float64Array")]
+    pub boundary: Float64Array,
+    /// How they are joined.
+    pub curve: Curve,
+}
+fields!(JoinedPoints: boundary, curve);
+
 /// What makes the outside of bodies.
 #[derive(Debug, Tsify)]
 pub struct ExteriorOptions {
-    /// Each body, in either orientation: its boundary points `[x0, y0, x1, y1, …]`, a path as `new Region({ path })` takes it, or edges.
+    /// Each body, in either orientation: its boundary points `[x0, y0, x1, y1, …]`, joined as `curve` says or as they say themselves,
+    /// a path as `new Region({ path })` takes it, or edges.
     #[tsify(type = "HoleOptions[]")]
     pub holes: JsValue,
     /// How the boundary points are joined; "polygon" by default.
@@ -88,7 +101,7 @@ export interface EdgeOptions {
 }
 
 /** A hole or a body: boundary points `[x0, y0, x1, y1, …]`, a path in plane coordinates, y up, or edges. */
-export type HoleOptions = Float64Array | string | EdgeOptions[];
+export type HoleOptions = Float64Array | string | EdgeOptions[] | JoinedPoints;
 
 /** Part of a circle or an ellipse: center + turned by `rotation` (r₀ cos φ, r₁ sin φ), φ from `start` to `start` + `sweep`. */
 export interface ArcOptions {
@@ -176,7 +189,7 @@ impl Region {
         if holes.is_empty() {
             let (center, toward) = (given(center, "center")?.into(), given(toward, "toward")?.into());
             return Ok(Self(Kind::Simple(match drawn {
-                Drawn::Points(points) => plane::Region::new(&points, curve.unwrap_or_default(), center, toward)?,
+                Drawn::Points(points, _) => plane::Region::new(&points, curve.unwrap_or_default(), center, toward)?,
                 Drawn::Edges(edges) => {
                     if curve.is_some() {
                         return Err(not_with_edges("curve"));

@@ -124,6 +124,22 @@ test("letters with counters are regions", () => {
   assert.ok(Math.abs(same.innerRadius - innerRadius) < 2e-8);
 });
 
+test("smooth holes lie in polygons and paths, each joined in its own way", () => {
+  const round = new Float64Array(64).map((_, k) => 0.6 * (k % 2 ? Math.sin : Math.cos)((2 * Math.PI * (k >> 1)) / 32));
+  const [boundary, path] = [new Float64Array([-1, -1, 1, -1, 1, 1, -1, 1]), "M-1 -1H1V1H-1Z"];
+  const exact = AnnulusMap.solve(new Region({ path, holes: ["M0.6 0A0.6 0.6 0 0 1 -0.6 0A0.6 0.6 0 0 1 0.6 0Z"] }), { tolerance: 1e-10 }).innerRadius;
+  /** @type {Partial<import("../../pkg/index.js").RegionOptions>[]} */
+  const outlines = [{ boundary }, { boundary, curve: "polygon" }, { path }];
+  for (const outline of outlines) {
+    const { innerRadius, errorEstimate } = AnnulusMap.solve(new Region({ ...outline, holes: [{ boundary: round, curve: "smooth" }] }), { tolerance: 1e-10 });
+    assert.ok(errorEstimate <= 1e-10 && Math.abs(innerRadius - exact) < 1e-10, String(innerRadius - exact));
+  }
+  const bodies = Region.exterior({ holes: [{ boundary: round, curve: "smooth" }, boundary.map((x, k) => (k % 2 ? x : x + 3))] });
+  assert.ok(bodies.contains(new Float64Array([0, 0.61]))[0] && !bodies.contains(new Float64Array([0, 0.59]))[0]);
+  const wrong = /** @type {any} */ ([{ boundary: round }, { boundary: round, curve: "round" }, { boundary: 3, curve: "smooth" }, { round }]);
+  for (const hole of wrong) assert.throws(() => new Region({ boundary, holes: [hole] }), { code: "invalid-option", message: /hole|boundary|curve/ });
+});
+
 test("what curves cannot be is refused in words", () => {
   const region = new Region({ path: halfDisk, ...above });
   const hole = new Float64Array([-0.1, 0.4, 0.1, 0.4, 0, 0.6]);

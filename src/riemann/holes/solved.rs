@@ -79,25 +79,17 @@ impl Solved {
         let curves: Option<Vec<Arc<SmoothCurve>>> =
             local.contours().iter().map(|contour| contour.smooth().cloned()).collect();
         let at = |unit: f64| problems(Scale { origin, unit });
-        let is_curved = local.contours().iter().any(|contour| contour.curved().is_some());
-        let (solutions, unit, evidence) = match curves {
-            None if is_curved => {
-                let outlines: Option<Result<Vec<Arc<CurvedOutline>>>> =
-                    local.contours().iter().map(|contour| contour.as_edges()).collect();
-                let Some(outlines) = outlines else {
-                    let found = "both".to_string();
-                    let (what, needed) = ("A boundary of several components", "no smooth curve beside edges");
-                    return Err(Error::WrongRegion { what, needed, found });
-                };
-                let outlines = outlines?;
-                let borrowed: Vec<&CurvedOutline> = outlines.iter().map(AsRef::as_ref).collect();
-                let adapted = solve_curved_problems(&borrowed, local.is_bounded(), &at, options, progress)?;
+        let chains: Option<Vec<&CurvedOutline>> =
+            local.contours().iter().map(|contour| contour.curved().map(AsRef::as_ref)).collect();
+        let (solutions, unit, evidence) = match (curves, chains) {
+            (_, Some(outlines)) => {
+                let adapted = solve_curved_problems(&outlines, local.is_bounded(), &at, options, progress)?;
                 let unit = adapted.system.discretisation.boundary.unit;
                 let evidence = evidence_of(&adapted);
                 let inner_points = outlines.iter().map(|outline| outline.inner_point() * unit).collect();
                 (Solutions::Curved(adapted, inner_points), unit, evidence)
             }
-            Some(curves) => {
+            (Some(curves), _) => {
                 let adapted = solve_smooth_problems(curves, &at, options, progress)?;
                 let evidence = Evidence {
                     residual: adapted.residual,
@@ -108,7 +100,7 @@ impl Solved {
                 let unit = adapted.system.unit;
                 (Solutions::Smooth(adapted), unit, evidence)
             }
-            None => {
+            (None, None) => {
                 let adapted = solve_problems(&local, &|boundary| at(boundary.unit), options, progress)?;
                 let evidence = evidence_of(&adapted);
                 let unit = adapted.system.discretisation.boundary.unit;

@@ -4,7 +4,7 @@ use super::{curve, options, square};
 use crate::support::{fixture, largest};
 use conformal_warp::{
     AnnulusMap, CircleMap, Circulation, Complex64, Conductors, Curve, CurvedOutline, Domain, Edge, Electrostatics,
-    Error, ExteriorMap, PotentialFlow, Shape, SlitKind, SlitMap, parse_shape,
+    Error, ExteriorMap, PotentialFlow, Shape, SlitKind, SlitMap, parse_shape, smooth_edges,
 };
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
@@ -143,6 +143,34 @@ fn moebius_images_of_square_frames() {
         println!("  values {miss:.1e}, {lost} on either side");
         assert!(miss < 5e-12, "{miss:e}");
     }
+}
+
+#[test]
+fn smooth_curves_beside_edges() {
+    let points = |radius: f64, middle: Complex64| curve(48, move |t| middle + Complex64::from_polar(radius, t));
+    let exact = 0.344_131_154_255_050_2;
+    let hole = smooth_edges(&points(0.25, at(0.5, 0.0))).unwrap();
+    for tolerance in [1e-6, 1e-12] {
+        let map = annulus(&circle(Complex64::ZERO, 1.0, 2, 0.0), &hole, tolerance);
+        let (error, estimate) = ((map.inner_radius() / exact - 1.0).abs(), map.error_estimate());
+        println!("circle in arcs: {error:.1e}, estimate {estimate:.1e}, {} unknowns", map.unknowns());
+        assert!(error < estimate.max(1e-13) && estimate <= tolerance);
+    }
+    // In a square, against the same circle in arcs.
+    let wall = image_of(&square(1.0), |z| z);
+    let smooth = annulus(&wall, &smooth_edges(&points(0.6, Complex64::ZERO)).unwrap(), 1e-12);
+    let arcs = annulus(&wall, &circle(Complex64::ZERO, 0.6, 3, 0.2), 1e-12);
+    let gap = (smooth.inner_radius() - arcs.inner_radius()).abs();
+    println!("circle in a square: {gap:.1e} from arcs, {} and {} unknowns", smooth.unknowns(), arcs.unknowns());
+    assert!(gap < 1e-12, "{gap:e}");
+    let inside: Vec<Complex64> =
+        (0..500).map(|k| Complex64::from_polar(0.6 + 0.399 * f64::from(k) / 500.0, f64::from(k))).collect();
+    let turn = smooth.to_annulus(&inside[..1])[0] / arcs.to_annulus(&inside[..1])[0];
+    let images = smooth.to_annulus(&inside);
+    let far = largest(images.iter().zip(arcs.to_annulus(&inside)).map(|(a, b)| (a - b * turn).norm()));
+    let back = largest(smooth.from_annulus(&images).iter().zip(&inside).map(|(a, b)| (a - b).norm()));
+    println!("  values {far:.1e}, back {back:.1e}");
+    assert!(far < 3e-12 && back < 3e-12, "{far:e} {back:e}");
 }
 
 #[test]
