@@ -153,8 +153,8 @@ impl CurvedPanel {
         row: &mut [f64],
     ) -> bool {
         let Some(seen) = self.see(rule, order, known, step) else { return false };
+        let mut logs = [0.0; MAX_NODES];
         self.for_each_part(rule, order, seen, |part| {
-            let mut logs = [0.0; MAX_NODES];
             let mut add = |part: Part, logs: &[f64]| {
                 for (log, weights) in logs.iter().zip(rule.rows_of(part)) {
                     add_scaled(row, *log, weights);
