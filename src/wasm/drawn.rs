@@ -3,12 +3,12 @@
 use super::error::Failure;
 use super::options::Point;
 use super::points;
-use super::reading::Read;
-use super::region::JoinedPoints;
+use super::reading::{Read, fields};
 use crate::Error;
 use crate::plane::chains::lines_through;
 use crate::plane::{self, Complex64, Curve, Domain, Edge, EllipticArc, smooth_edges};
 use js_sys::{Array, Float64Array, Reflect};
+use tsify::Tsify;
 use wasm_bindgen::{JsCast, JsValue};
 
 /// An outline before it is known to bound anything.
@@ -18,6 +18,18 @@ pub enum Drawn {
     /// Its chain of edges.
     Edges(Vec<Edge>),
 }
+
+/// A hole or a body of which the points are joined in its own way: smooth curves may lie beside polygons, paths and edges, as
+/// cubic curves that leave them by a few 10⁻¹³ of their size.
+#[derive(Debug, Tsify)]
+pub struct JoinedPoints {
+    /// Its boundary points `[x0, y0, x1, y1, …]`, in either orientation.
+    #[tsify(type = "Float64Array")]
+    pub boundary: Float64Array,
+    /// How they are joined.
+    pub curve: Curve,
+}
+fields!(JoinedPoints: boundary, curve);
 
 /// The ways to give a boundary, of which options hold one.
 pub struct Given {

@@ -57,18 +57,6 @@ pub struct RegionOptions {
 }
 fields!(RegionOptions: boundary, curve, path, edges, through, corners, holes, center, toward);
 
-/// A hole or a body of which the points are joined in its own way: smooth curves may lie beside polygons, paths and edges, as
-/// cubic curves that leave them by a few 10⁻¹³ of their size.
-#[derive(Debug, Tsify)]
-pub struct JoinedPoints {
-    /// Its boundary points `[x0, y0, x1, y1, …]`, in either orientation.
-    #[tsify(type = "Float64Array")]
-    pub boundary: Float64Array,
-    /// How they are joined.
-    pub curve: Curve,
-}
-fields!(JoinedPoints: boundary, curve);
-
 /// What makes the outside of bodies.
 #[derive(Debug, Tsify)]
 pub struct ExteriorOptions {
