@@ -50,6 +50,16 @@ pub enum Error {
         /// The center given.
         center: Complex64,
     },
+    /// A point that must lie inside the region does not.
+    #[error("{what} {index} (counted from 0), at {}, must lie inside the region, off its boundary.", place(.at))]
+    PointOutside {
+        /// What lies there.
+        what: &'static str,
+        /// Which of them, counted from 0.
+        index: usize,
+        /// The point given.
+        at: Complex64,
+    },
     /// The curve around a hole cannot be one.
     #[error("Hole {hole} (counted from 0): {error}")]
     InHole {
@@ -302,6 +312,7 @@ impl Error {
             Self::InvalidOutline { .. } => "invalid-outline",
             Self::Cusp { .. } => "cusp",
             Self::CenterOutside { .. } => "center-outside",
+            Self::PointOutside { .. } => "point-outside",
             Self::InHole { error, .. } => error.code(),
             Self::HolesMeet { .. } => "holes-meet",
             Self::HoleOutside { .. } => "hole-outside",

@@ -85,8 +85,8 @@ pub use plane::{
 };
 pub use riemann::{
     AnnulusMap, CanonicalMap, ChannelEnds, ChannelFlow, Circle, CircleMap, Circulation, Conductors, DiskPoint,
-    Electrostatics, ExteriorMap, FlowLines, HalfPlaneMap, JoinedMap, LevelLine, PotentialFlow, RectangleMap, RegionMap,
-    RiemannMap, RingLines, Slit, SlitKind, SlitMap, StripMap,
+    Electrostatics, ExteriorMap, FlowLines, FlowPoints, HalfPlaneMap, JoinedMap, LevelLine, PotentialFlow,
+    RectangleMap, RegionMap, RiemannMap, RingLines, Slit, SlitKind, SlitMap, StripMap,
 };
 pub use symm::options::{Progress, SolveOptions, Stop};
 #[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]

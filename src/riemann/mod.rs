@@ -26,8 +26,8 @@ mod solved_region;
 
 pub use atlas::DiskPoint;
 pub use holes::{
-    AnnulusMap, Circle, CircleMap, Circulation, Conductors, Electrostatics, ExteriorMap, FlowLines, LevelLine,
-    PotentialFlow, RingLines, Slit, SlitKind, SlitMap,
+    AnnulusMap, Circle, CircleMap, Circulation, Conductors, Electrostatics, ExteriorMap, FlowLines, FlowPoints,
+    LevelLine, PotentialFlow, RingLines, Slit, SlitKind, SlitMap,
 };
 pub use joined::{CanonicalMap, JoinedMap};
 pub use marked::{ChannelEnds, ChannelFlow, HalfPlaneMap, RectangleMap, StripMap};

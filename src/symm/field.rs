@@ -23,6 +23,8 @@ pub struct Field {
     /// On component j, Im B is this − 2π × the measure from vertex 0 of all.
     phases: Vec<f64>,
     potential: LogPotential,
+    /// The arguments at the vertices of the logarithms whose arguments g takes.
+    turning: Vec<Vec<f64>>,
 }
 
 impl Field {
@@ -31,9 +33,12 @@ impl Field {
     pub fn new(system: &Arc<System>, source: Source, masses: Vec<f64>, constants: Vec<f64>) -> Self {
         let correspondence = BoundaryCorrespondence::signed(&system.discretisation, &masses);
         let potential = LogPotential::of(masses);
-        let mut field =
-            Self { system: Arc::clone(system), source, constants, correspondence, phases: Vec::new(), potential };
-        field.phases = system.discretisation.components.iter().map(|panels| field.phase(panels.clone())).collect();
+        let boundary = &system.discretisation.boundary;
+        let turning = source.turning().map(|(a, _)| boundary.arguments(a)).collect();
+        let (system, phases) = (Arc::clone(system), Vec::new());
+        let mut field = Self { system, source, constants, correspondence, phases, potential, turning };
+        field.phases =
+            field.system.discretisation.components.iter().map(|panels| field.phase(panels.clone())).collect();
         field
     }
 
@@ -101,7 +106,7 @@ impl Field {
             _ => angle,
         };
         let tau = Complex64::from_polar(size.powf(1.0 / panel.exponent), angle / panel.exponent);
-        let value = self.on_panel(q, tau);
+        let value = self.on_panel(q, tau) + self.turn(panel.edge, z);
         // dτ/dz = τ/(a · (z − corner)).
         let by_tau = self.correspondence.complex_density(q, tau) * if panel.outgoing { 1.0 } else { -1.0 };
         let from_corner = z - discretisation.boundary.vertices[panel.corner];
@@ -134,6 +139,14 @@ impl Field {
         let density = self.correspondence.density(q, tau) * panel.slope_at(if panel.outgoing { along } else { rest });
         let direction = discretisation.boundary.directions[edge];
         (self.on_panel(q, tau.into()), Complex64::new(0.0, -TAU * density) / direction)
+    }
+
+    /// What takes B from [`Field::on_edge`] to the arguments of [`Field::at`], at a point that sees an edge's start.
+    #[must_use]
+    pub fn turn(&self, edge: usize, z: Complex64) -> f64 {
+        let start = self.boundary().vertices[edge];
+        let along = |k: usize, a: Complex64| self.turning[k][edge] + ((z - a) * (start - a).conj()).arg();
+        self.source.turn(z, &along)
     }
 
     /// The edge after `edge`, the region to the left.

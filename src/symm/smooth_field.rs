@@ -33,18 +33,15 @@ pub struct SmoothField {
 /// g of a problem at the nodes and at the checks.
 #[must_use]
 pub fn boundary_values(system: &SmoothSystem, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
-    let g = |z: &Complex64| problem.source.at(*z).0.re;
+    let level = |z: &Complex64| problem.source.level_at(*z, Complex64::ZERO);
     let (mut nodes, mut checks): (Vec<f64>, Vec<f64>) =
-        (system.nodes.iter().map(g).collect(), system.checks.iter().map(g).collect());
-    if matches!(problem.source, Source::Vortices(..)) {
-        // Its values jump by 2π where the branch does.
+        (system.nodes.iter().map(level).collect(), system.checks.iter().map(level).collect());
+    for (a, factor) in problem.source.turning() {
         for own in &system.loops {
-            let mut previous = nodes[own.start];
-            for i in own.clone() {
-                for value in [&mut nodes[i], &mut checks[i]] {
-                    *value += TAU * ((previous - *value) / TAU).round();
-                    previous = *value;
-                }
+            let arguments = continuous_arguments(&system.nodes[own.clone()], a);
+            for (i, argument) in own.clone().zip(arguments) {
+                nodes[i] += factor * argument;
+                checks[i] += factor * (argument + turned(system.nodes[i] - a, system.checks[i] - a));
             }
         }
     }
@@ -94,7 +91,7 @@ impl SmoothField {
     /// H at the nodes, and the phases that make it one analytic function.
     fn find_values(&mut self) {
         let system = Arc::clone(&self.system);
-        let problem = Problem { source: self.source, charges: self.charges.clone() };
+        let problem = Problem { source: self.source.clone(), charges: self.charges.clone() };
         let (g, _) = boundary_values(&system, &problem);
         let mut values: Vec<Complex64> = Vec::with_capacity(system.len());
         for (curve, own) in system.loops.iter().enumerate() {
@@ -102,9 +99,15 @@ impl SmoothField {
             let mut along: Vec<Complex64> = (0..own.len())
                 .map(|j| self.on_curve(curve, TAU * j as f64 / own.len() as f64) + g[own.start + j])
                 .collect();
-            match self.source {
-                Source::Log(a) => add(&mut along, 1.0, continuous_arguments(nodes, a)),
-                source => add(&mut along, 1.0, nodes.iter().map(|z| source.at(*z).0.im)),
+            let rest = Source { logs: Vec::new(), ..self.source.clone() };
+            add(&mut along, 1.0, nodes.iter().map(|z| rest.at(*z).0.im));
+            for (a, factor) in &self.source.logs {
+                if factor.re != 0.0 {
+                    add(&mut along, factor.re, continuous_arguments(nodes, *a));
+                }
+                if factor.im != 0.0 {
+                    add(&mut along, factor.im, nodes.iter().map(|z| (z - a).norm().ln()));
+                }
             }
             for (charge, p) in self.charged_holes() {
                 along.iter_mut().zip(nodes).for_each(|(value, z)| value.re -= charge * (z - p).norm().ln());
@@ -163,12 +166,11 @@ impl SmoothField {
     /// L' at a point of the region.
     #[must_use]
     pub fn log_slope(&self, z: Complex64) -> Complex64 {
-        self.at(z).1 + self.source.at(z).1
+        self.log_at(z).1
     }
 
-    /// (B, B') at a point of the region.
-    #[must_use]
-    pub fn at(&self, z: Complex64) -> (Complex64, Complex64) {
+    /// (L, L') at a point of the region.
+    fn log_at(&self, z: Complex64) -> (Complex64, Complex64) {
         let (mut value, below) = self.single_valued(z);
         let mut slope = Complex64::ZERO;
         for (i, weight) in self.weights() {
@@ -180,8 +182,28 @@ impl SmoothField {
             value += (z - p).ln() * charge;
             slope += charge / (z - p);
         }
-        let (source, source_slope) = self.source.at(z);
+        (value, slope)
+    }
+
+    /// (B, B') at a point of the region.
+    #[must_use]
+    pub fn at(&self, z: Complex64) -> (Complex64, Complex64) {
+        let ((value, slope), (source, source_slope)) = (self.log_at(z), self.source.at(z));
         (value - source, slope - source_slope)
+    }
+
+    /// What takes B at the point t of a curve from [`SmoothField::on_curve`] to the arguments of [`SmoothField::at`].
+    #[must_use]
+    pub fn turn(&self, curve: usize, t: f64) -> f64 {
+        if self.source.turning().next().is_none() {
+            return 0.0;
+        }
+        let own = self.system.loops[curve].clone();
+        let nearest = (t / TAU * own.len() as f64).round() as usize % own.len();
+        let z = self.system.curves[curve].point(t) * self.system.unit;
+        let nodes = &self.system.nodes[own];
+        let along = |_, a| continuous_arguments(&nodes[..=nearest], a)[nearest] + turned(nodes[nearest] - a, z - a);
+        self.source.turn(z, &along)
     }
 
     /// H at a point of the region by the barycentric form of Cauchy's formula, and what it was divided by.
@@ -231,6 +253,11 @@ fn add(values: &mut [Complex64], factor: f64, imaginary: impl IntoIterator<Item 
     values.iter_mut().zip(imaginary).for_each(|(value, im)| value.im += factor * im);
 }
 
+/// The angle from one direction to another.
+fn turned(from: Complex64, to: Complex64) -> f64 {
+    (to * from.conj()).arg()
+}
+
 /// arg(z − p) along nodes, continuous.
 fn continuous_arguments(nodes: &[Complex64], p: Complex64) -> Vec<f64> {
     let mut previous = nodes[0] - p;
@@ -239,7 +266,7 @@ fn continuous_arguments(nodes: &[Complex64], p: Complex64) -> Vec<f64> {
         .iter()
         .map(|z| {
             let here = z - p;
-            argument += (here * previous.conj()).arg();
+            argument += turned(previous, here);
             previous = here;
             argument
         })

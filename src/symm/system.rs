@@ -8,7 +8,7 @@ use super::known::Known;
 use super::lu::Lu;
 use super::options::Progress;
 use super::panelled::Panelled;
-use super::problem::{Problem, Source};
+use super::problem::Problem;
 use super::refinement::{Refinable, Refinement};
 use super::rule::Rules;
 use super::two_level::{self, TwoLevel};
@@ -226,8 +226,8 @@ impl SystemEquations {
 
     fn examined(&self, problem: &Problem, masses: Vec<f64>, constants: Vec<f64>) -> SystemSolution {
         let residuals = self.residuals(problem, &masses, &constants);
-        // The branch of vortices may differ from that at infinity.
-        let is_zero = self.discretisation.is_bounded() && !matches!(problem.source, Source::Vortices(..));
+        // The branch of arguments may differ from that at infinity.
+        let is_zero = self.discretisation.is_bounded() && problem.source.turning().next().is_none();
         let constant_error = if is_zero { constants[0].abs() } else { 0.0 };
         SystemSolution { masses, constants, constant_error, residuals }
     }

@@ -81,9 +81,10 @@ impl Failure {
             Error::SelfIntersecting { first, second, at } => failure
                 .with("edges", &Array::of2(&(first as f64).into(), &(second as f64).into()))
                 .with("at", &points::pair(at).into()),
-            Error::CenterOutside { center: at } | Error::Crowded { at } | Error::TooFarApart { at } => {
-                failure.with("at", &points::pair(at).into())
-            }
+            Error::CenterOutside { center: at }
+            | Error::PointOutside { at, .. }
+            | Error::Crowded { at }
+            | Error::TooFarApart { at } => failure.with("at", &points::pair(at).into()),
             Error::Syntax { position, .. } => failure.with("position", &(position as f64).into()),
             Error::InvalidOption { name, .. } => failure.with("option", &camel_case(name).into()),
             _ => failure,

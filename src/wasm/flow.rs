@@ -2,14 +2,15 @@
 
 use super::error::Failure;
 use super::level_lines::{self, LevelLines};
-use super::options::{self, FrameOptions};
+use super::options::{self, FrameOptions, Point};
 use super::points;
 use super::reading::{Read, Refused, fields};
 use super::region::Region;
 use super::riemann::{RiemannOptions, solve_options};
 use super::solved::solved_methods;
 use crate::Error;
-use crate::riemann::{Circulation, FlowLines};
+use crate::plane::Domain;
+use crate::riemann::{Circulation, FlowLines, FlowPoints};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -17,7 +18,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// What comes from far away, and how it turns around the bodies.
 #[derive(Debug, Default, Tsify)]
 pub struct FlowOptions {
-    /// The speed far away, 1 by default.
+    /// The speed far away, 1 by default; 0 within an outer boundary.
     #[tsify(optional)]
     pub speed: Option<f64>,
     /// Its angle to the x axis in radians, 0 by default.
@@ -30,8 +31,36 @@ pub struct FlowOptions {
     /// "kutta": the trailing vertex of each body, an index of its boundary points; 0 by default.
     #[tsify(optional, type = "number[]")]
     pub trailing: Option<Vec<usize>>,
+    /// Points of the fluid that it turns around.
+    #[tsify(optional)]
+    pub vortices: Option<Vec<Vortex>>,
+    /// Points of the fluid where more of it wells up, or drains away.
+    #[tsify(optional)]
+    pub sources: Option<Vec<FlowSource>>,
 }
-fields!(FlowOptions: speed, angle, circulation, trailing);
+fields!(FlowOptions: speed, angle, circulation, trailing, vortices, sources);
+
+/// A vortex of a flow.
+#[derive(Clone, Copy, Debug, Tsify)]
+pub struct Vortex {
+    /// Where it is.
+    #[tsify(type = "[x: number, y: number]")]
+    pub at: Point,
+    /// ∮ u·dl around it alone, counter-clockwise.
+    pub circulation: f64,
+}
+fields!(Vortex: at, circulation);
+
+/// A source of a flow.
+#[derive(Clone, Copy, Debug, Tsify)]
+pub struct FlowSource {
+    /// Where it is.
+    #[tsify(type = "[x: number, y: number]")]
+    pub at: Point,
+    /// How much fluid wells up, a unit of time and depth; less than 0 for a sink.
+    pub strength: f64,
+}
+fields!(FlowSource: at, strength);
 
 /// The circulation as options hold it.
 #[derive(Clone, Debug)]
@@ -53,11 +82,14 @@ struct Given {
     speed: f64,
     angle: f64,
     circulation: Circulation,
+    points: FlowPoints,
 }
 
 impl Given {
-    fn read(flow: Option<&Ts<FlowOptions>>, bodies: usize) -> Result<Self, Failure> {
-        let FlowOptions { speed, angle, circulation, trailing } = options::read_or_default(flow)?;
+    /// For the bodies of a domain; the points of `before` where none are given.
+    fn read(flow: Option<&Ts<FlowOptions>>, domain: &Domain, before: Option<&FlowPoints>) -> Result<Self, Failure> {
+        let FlowOptions { speed, angle, circulation, trailing, vortices, sources } = options::read_or_default(flow)?;
+        let bodies = domain.holes().len();
         let circulation = match circulation {
             None => Circulation::Given(vec![0.0; bodies]),
             Some(CirculationOption::Given(given)) => Circulation::Given(given),
@@ -68,7 +100,15 @@ impl Given {
                 return Err(Failure::option("circulation", "circulation must be an array of numbers or \"kutta\"."));
             }
         };
-        Ok(Self { speed: speed.unwrap_or(1.0), angle: angle.unwrap_or(0.0), circulation })
+        let mut points = before.cloned().unwrap_or_default();
+        if let Some(vortices) = vortices {
+            points.vortices = vortices.into_iter().map(|vortex| (vortex.at.into(), vortex.circulation)).collect();
+        }
+        if let Some(sources) = sources {
+            points.sources = sources.into_iter().map(|source| (source.at.into(), source.strength)).collect();
+        }
+        let speed = speed.unwrap_or(if domain.is_bounded() { 0.0 } else { 1.0 });
+        Ok(Self { speed, angle: angle.unwrap_or(0.0), circulation, points })
     }
 }
 
@@ -79,35 +119,44 @@ pub struct PotentialFlow(crate::riemann::PotentialFlow);
 
 #[wasm_bindgen]
 impl PotentialFlow {
-    /// Solves for the flow past the bodies of `Region.exterior`.
+    /// Solves for the flow past the bodies of `Region.exterior`; with `vortices` or `sources` also within an outer boundary, where
+    /// there is no wind.
     ///
-    /// Throws "wrong-region" within an outer boundary, "wrong-length", "invalid-option", "cancelled", "inaccurate" or
-    /// "too-few-points".
+    /// Throws "wrong-region" within an outer boundary without them, "point-outside" for those in bodies or on the boundary,
+    /// "wrong-length", "invalid-option", "cancelled", "inaccurate" or "too-few-points".
     pub fn past(
         region: &Region,
         flow: Option<Ts<FlowOptions>>,
         options: Option<Ts<RiemannOptions>>,
     ) -> Result<Self, Failure> {
         let domain = region.domain();
-        let given = Given::read(flow.as_ref(), domain.holes().len())?;
+        let given = Given::read(flow.as_ref(), &domain, None)?;
         let (options, mut progress) = solve_options(options.as_ref())?;
-        let solved = crate::riemann::PotentialFlow::past(
+        let solved = crate::riemann::PotentialFlow::with_points(
             &domain,
             given.speed,
             given.angle,
             &given.circulation,
+            &given.points,
             &options,
             &mut |stage, fraction| progress.report(stage, fraction),
         );
         progress.finish(solved).map(Self)
     }
 
-    /// Another wind, and another turning, past the same bodies: nothing is solved again.
+    /// Another wind, and another turning, past the same bodies: nothing is solved again. Vortices and sources stay, or are given
+    /// again, at the same places.
     ///
-    /// Throws "wrong-length" or "invalid-option".
+    /// Throws "wrong-length", "invalid-option", or "invalid-map" for vortices and sources at other places.
     pub fn again(&self, flow: Option<Ts<FlowOptions>>) -> Result<Self, Failure> {
-        let given = Given::read(flow.as_ref(), self.0.circulation().len())?;
-        Ok(Self(self.0.again(given.speed, given.angle, &given.circulation)?))
+        let given = Given::read(flow.as_ref(), self.0.domain(), Some(self.0.points()))?;
+        Ok(Self(self.0.again_with_points(given.speed, given.angle, &given.circulation, &given.points)?))
+    }
+
+    /// The velocities `[u, v, …]` that the vortices are carried along with, each by all but its own turning (Kirchhoff and Routh).
+    #[wasm_bindgen(getter)]
+    pub fn drift(&self) -> Vec<f64> {
+        points::to_flat(&self.0.drift())
     }
 
     /// Lines of the flow in a frame, traced by the flow itself: "streamlines", on which ψ has the given values, or
@@ -139,7 +188,8 @@ impl PotentialFlow {
         self.0.circulation().to_vec()
     }
 
-    /// The complex potential φ + iψ at points `[x0, y0, x1, y1, …]`; NaN inside bodies.
+    /// The complex potential φ + iψ at points `[x0, y0, x1, y1, …]`; NaN inside bodies. From bodies and vortices with circulation cuts run
+    /// to the left, across which φ jumps, and from sources such across which ψ does.
     pub fn potential(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         Ok(points::mapped(points, |points| self.0.potential(points))?)
     }
@@ -154,7 +204,7 @@ impl PotentialFlow {
         Ok(points::mapped(points, |points| self.0.velocity(points))?)
     }
 
-    /// The pressure coefficient 1 − |u|²/U² at points; NaN inside bodies.
+    /// The pressure coefficient 1 − |u|²/U² at points, −|u|² without a wind; NaN inside bodies.
     pub fn pressure(&self, points: &[f64]) -> Result<Vec<f64>, Failure> {
         Ok(self.0.pressure(&points::from_flat("The points", points)?))
     }
@@ -165,14 +215,15 @@ impl PotentialFlow {
         points::to_flat(&self.0.stagnation_points())
     }
 
-    /// The lift of all bodies a unit of span by Kutta and Joukowski, for a fluid of this density (1 by default).
+    /// The lift of all bodies a unit of span by Kutta and Joukowski, without what vortices and sources add, for a fluid of this density (1 by default).
     ///
     /// Throws "invalid-option".
     pub fn lift(&self, density: Option<f64>) -> Result<f64, Failure> {
         Ok(self.0.lift(checked(density)?))
     }
 
-    /// The force `[X, Y]` on all bodies a unit of span by Blasius' integral, for a fluid of this density (1 by default).
+    /// The force `[X, Y]` on all bodies a unit of span by Blasius' integral, vortices and sources being held where they are, for a fluid
+    /// of this density (1 by default). NaN within an outer boundary.
     ///
     /// Throws "invalid-option".
     #[wasm_bindgen(unchecked_return_type = "[x: number, y: number]")]

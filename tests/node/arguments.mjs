@@ -55,6 +55,7 @@ before(async () => {
     frame,
     context,
     ring,
+    outside: Region.exterior({ holes: [square(1)] }),
     objects: { Region: region, RiemannMap: map, Texture: texture, FormulaMap: formula, RetinoCorticalMap: cortex, FoveatedTexture: stack,
       JointTriangulation: mesh, CorticalImage: image, PreparedWarp: prepared, RegionMap: RegionMap.between(map, map), ...holed },
   };
@@ -314,6 +315,10 @@ test("what is wrong is said so that it can be mended", () => {
     [/either four corners or two ends/, () => ChannelFlow.solve(region, {})],
     [/counter-clockwise/, () => ChannelFlow.solve(region, { corners: [[-1, -1], [-1, 1], [1, 1], [1, -1]] })],
     [/flux.*positive number/, () => ChannelFlow.solve(region, { ends: [[-1, 0], [1, 0]], flux: 0 })],
+    [/Vortex 0 \(counted from 0\), at \(0, 0\), must lie inside the region/, () => PotentialFlow.past(fine.outside, { vortices: [{ at: [0, 0], circulation: 1 }] })],
+    [/strengths add up to 0/, () => PotentialFlow.past(region, { sources: [{ at: [0.5, 0], strength: 1 }] })],
+    [/not where/, () => fine.objects.PotentialFlow.again({ sources: [{ at: [3, 0], strength: 1 }] })],
+    [/circulation/, () => PotentialFlow.past(fine.outside, { vortices: [/** @type {any} */ ({ at: [3, 0] })] })],
     [/an AnnulusMap/, () => annulus.toAnnulus.call(texture, new Float64Array(2))],
     [/found "4"/, () => new Texture(new Uint8Array(4), /** @type {any} */ ("4"), 1)],
     [/it is 1\.000e-300\.$/, () => RiemannMap.solve(region, { tolerance: 1e-300 })],

@@ -67,6 +67,28 @@ test("streamlines", () => {
   }
 });
 
+test("vortices and sources", () => {
+  const region = Region.exterior({ holes: [square(1)] });
+  const at = /** @type {[number, number]} */ ([2, 0.5]);
+  const flow = PotentialFlow.past(region, { speed: 0, vortices: [{ at, circulation: 3 }] }, { tolerance: 1e-9 });
+  const lines = flow.levelLines("streamlines", flow.stream(new Float64Array([2.3, 0.5])), window);
+  assert.deepEqual([...lines.closed], [1], "around the vortex");
+  const drift = flow.drift;
+  assert.equal(drift.length, 2);
+  assert.ok(drift[1] < -0.01, "down along the wall, which answers it");
+  const stronger = flow.again({ speed: 0, vortices: [{ at, circulation: 6 }] }).drift;
+  assert.ok(Math.abs(stronger[1] - 2 * drift[1]) < 1e-9);
+  assert.ok(Math.abs(flow.again({ speed: 0 }).drift[1] - drift[1]) < 1e-12, "it stays");
+  const basin = new Region({ boundary: square(1), center: [0, 0], toward: [1, 0] });
+  const sources = [{ at: /** @type {[number, number]} */ ([-0.5, 0]), strength: 2 }, { at: /** @type {[number, number]} */ ([0.5, 0.2]), strength: -2 }];
+  const through = PotentialFlow.past(basin, { sources }, { tolerance: 1e-9 });
+  assert.deepEqual([...through.circulation], []);
+  assert.ok(through.velocity(new Float64Array([0, 0.1]))[0] > 0.5);
+  assert.ok(Math.abs(through.velocity(new Float64Array([0.3, 1]))[1]) < 1e-6, "along the wall");
+  const streamlines = through.levelLines("streamlines", new Float64Array([0]), { center: [0, 0], width: 2, pixels: [100, 100] });
+  holdsTogether(streamlines);
+});
+
 test("a channel", () => {
   const region = new Region({ boundary: new Float64Array([0, 2, 0, 0, 2, 0, 2, 1, 1, 1, 1, 2]), center: [0.5, 0.5], toward: [0, 0] });
   const flow = ChannelFlow.solve(region, { corners: [[1, 2], [0, 2], [2, 0], [2, 1]], flux: 2 }, { tolerance: 1e-10 });

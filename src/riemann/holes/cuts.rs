@@ -3,15 +3,22 @@
 use crate::plane::Complex64;
 use std::f64::consts::TAU;
 
-/// Rays that run to the left, each from a point around which B grows by 2πi times a charge.
+/// Rays that run to the left, each from a point around which B grows by 2πi times a charge, which of L's is real.
 #[derive(Clone, Debug, Default)]
-pub struct Cuts(Vec<(Complex64, f64)>);
+pub struct Cuts(Vec<(Complex64, Complex64)>);
 
 impl Cuts {
     /// From points and charges; what has no charge has no cut.
     #[must_use]
-    pub fn new(points: impl IntoIterator<Item = (Complex64, f64)>) -> Self {
-        Self(points.into_iter().filter(|(_, charge)| *charge != 0.0).collect())
+    pub fn new(mut points: Vec<(Complex64, Complex64)>) -> Self {
+        points.retain(|(_, charge)| *charge != Complex64::ZERO);
+        Self(points)
+    }
+
+    /// What B grows by with so many turns around each point.
+    fn growth(&self, turns: &dyn Fn(&Complex64) -> f64) -> Complex64 {
+        let sum: Complex64 = self.0.iter().map(|(point, charge)| charge * turns(point)).sum();
+        Complex64::new(0.0, TAU) * sum
     }
 
     /// By how much B jumps on the straight way between two points, over what it changes by.
@@ -25,7 +32,7 @@ impl Cuts {
             }
             if b.im < 0.0 { -1.0 } else { 1.0 }
         };
-        Complex64::new(0.0, TAU * self.0.iter().map(|(point, charge)| charge * turns(point)).sum::<f64>())
+        self.growth(&turns)
     }
 
     /// By how much B differs at `z` from what is continuous but for one cut, with all the charge, to the left of `middle`,
@@ -37,6 +44,6 @@ impl Cuts {
             let own = z - point;
             ((own.arg() - from.arg() - (own / from).arg()) / TAU).round()
         };
-        Complex64::new(0.0, TAU * self.0.iter().map(|(point, charge)| charge * turns(point)).sum::<f64>())
+        self.growth(&turns)
     }
 }

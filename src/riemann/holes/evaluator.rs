@@ -64,8 +64,7 @@ impl Evaluator {
             coefficients[1] / radius
         });
         let squares = Squares::Polygons(PolygonSquares::new(field, walls, series, ground, accuracy, progress));
-        let [cuts, cuts_with_source] = cuts_of(field.charges(), field.source);
-        Self { squares, far, source: field.source, cuts, cuts_with_source }
+        Self::new(squares, far, &field.source, field.charges().collect())
     }
 
     /// Of a smooth curve's field on `domain`, whose coordinates are (z − origin) × unit.
@@ -74,9 +73,8 @@ impl Evaluator {
         let corners = corners_of(domain, (origin, unit));
         let (ground, far) = ground(&corners, domain.is_bounded(), &|z| field.log_slope(z));
         let squares = Squares::Curves(CurveSquares::new(field, domain, (origin, unit), ground));
-        let charges = field.charged_holes().map(|(charge, point)| (point, charge));
-        let [cuts, cuts_with_source] = cuts_of(charges, field.source);
-        Self { squares, far, source: field.source, cuts, cuts_with_source }
+        let charges = field.charged_holes().map(|(charge, point)| (point, charge)).collect();
+        Self::new(squares, far, &field.source, charges)
     }
 
     /// Of a field on `domain`, bounded by analytic edges, whose coordinates are (z − origin) × unit.
@@ -84,8 +82,16 @@ impl Evaluator {
     pub fn of_edges(field: &CurvedField, domain: &Domain, scale: (Complex64, f64), solve_error: f64) -> Self {
         let (ground, far) = ground(&corners_of(domain, scale), domain.is_bounded(), &|z| field.log_slope(z));
         let squares = Squares::Edges(EdgeSquares::new(field, ground, solve_error));
-        let [cuts, cuts_with_source] = cuts_of(field.charged_holes(), field.source);
-        Self { squares, far, source: field.source, cuts, cuts_with_source }
+        Self::new(squares, far, &field.source, field.charged_holes().collect())
+    }
+
+    #[inline(never)]
+    fn new(squares: Squares, far: Option<FarSeries>, source: &Source, charges: Vec<(Complex64, f64)>) -> Self {
+        let charges: Vec<_> = charges.into_iter().map(|(point, charge)| (point, Complex64::from(charge))).collect();
+        let mut with_source = charges.clone();
+        with_source.extend(source.logs.iter().map(|(point, factor)| (*point, -factor)));
+        let (cuts, cuts_with_source) = (Cuts::new(charges), Cuts::new(with_source));
+        Self { squares, far, source: source.clone(), cuts, cuts_with_source }
     }
 
     /// (B, B') beside a wall, if the squares know it there.
@@ -149,9 +155,6 @@ impl Evaluator {
 
     #[inline]
     fn less_source(&self, z: Complex64, (value, slope): (Complex64, Complex64)) -> Found {
-        if self.source == Source::Nothing {
-            return Found::Known(value, slope);
-        }
         let (source, source_slope) = self.source.at(z);
         Found::Known(value - source, slope - source_slope)
     }
@@ -163,13 +166,6 @@ fn corners_of(domain: &Domain, (origin, unit): (Complex64, f64)) -> Vec<Complex6
     let corners =
         boxes.flat_map(|(low, high)| [low, high, Complex64::new(low.re, high.im), Complex64::new(high.re, low.im)]);
     corners.map(|z| (z - origin) * unit).collect()
-}
-
-/// The cuts of L and of B.
-fn cuts_of(charges: impl Iterator<Item = (Complex64, f64)>, source: Source) -> [Cuts; 2] {
-    let charges: Vec<(Complex64, f64)> = charges.collect();
-    let of_source = source.logarithm().map(|(point, factor)| (point, -factor));
-    [Cuts::new(charges.iter().copied()), Cuts::new(charges.iter().copied().chain(of_source))]
 }
 
 /// The square to be cut, and what holds beyond it; `slope` gives L'.

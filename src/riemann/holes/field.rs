@@ -94,11 +94,23 @@ impl DomainField {
         }
     }
 
+    /// Where in the domain B is singular.
+    #[must_use]
+    pub fn singularities(&self) -> Vec<Complex64> {
+        let source = match &self.kind {
+            Kind::Polygons(field) => &field.source,
+            Kind::Smooth(field) => &field.source,
+            Kind::Curved(field) => &field.source,
+        };
+        source.singularities().into_iter().map(|a| a / self.unit + self.origin).collect()
+    }
+
     /// (B, B') at a point; `None` outside the closed domain. B' is by plane units.
     #[must_use]
     pub fn at(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
         if let Some(point) = self.domain.on_boundary(z) {
-            return Some(self.on_boundary(point));
+            let (value, slope) = self.on_boundary(point);
+            return Some((value + self.turn(point), slope));
         }
         self.domain.contains(z).then(|| self.directly(z))
     }
@@ -157,7 +169,23 @@ impl DomainField {
         (value, slope * self.unit)
     }
 
-    /// (B, B') at a point of the boundary.
+    /// What Re B at a point of the boundary is on the branch of direct summation, less the one number that it is on the component.
+    #[inline(never)]
+    fn turn(&self, point: DomainPoint) -> f64 {
+        match &self.kind {
+            Kind::Smooth(field) => {
+                let contour = &self.domain.contours()[point.component];
+                field.turn(point.component, contour.smooth().map_or(f64::NAN, |curve| curve.parameter(point.place)))
+            }
+            Kind::Curved(field) => field.turn(point.component, point.place.edge, point.place.t),
+            Kind::Polygons(field) => {
+                let z = (self.domain.contours()[point.component].point(point.place) - self.origin) * self.unit;
+                field.turn(self.oriented(point).0, z)
+            }
+        }
+    }
+
+    /// (B, B') at a point of the boundary, B continuous along its component.
     #[must_use]
     pub(crate) fn on_boundary(&self, point: DomainPoint) -> (Complex64, Complex64) {
         let (value, slope) = match &self.kind {
@@ -178,6 +206,7 @@ impl DomainField {
     /// The singular part of the density at a vertex of a component, or the density there if the curve is smooth, up to a factor
     /// that the boundary and another field, of which that is not 0, decide.
     #[must_use]
+    #[inline(never)]
     pub fn strength(&self, other: &Self, component: usize, vertex: usize) -> f64 {
         let place = BoundaryPoint { edge: vertex, t: 0.0, point: Complex64::ZERO };
         match &self.kind {

@@ -40,7 +40,7 @@ const LONGEST: f64 = 0.9;
 const SHORTEST: f64 = 1e-4;
 /// Points of a line, at most.
 const MOST_POINTS: usize = 20_000;
-/// Lines leave a point of rest from a circle of this share of a cell.
+/// Lines leave a point of rest from a circle of this share of a cell, and end at singular points in such a one.
 const CIRCLE: f64 = 0.02;
 /// Directions that are tried there.
 const DIRECTIONS: usize = 96;
@@ -98,6 +98,8 @@ struct Lattice<'a> {
     rows: usize,
     /// (Im F, F') at the corners, row by row.
     values: Vec<Option<(f64, Complex64)>>,
+    /// Where lines end that come near: what wells up or turns there has all levels.
+    ends: Vec<Complex64>,
 }
 
 /// Where a line begins.
@@ -128,7 +130,9 @@ impl<'a> Lattice<'a> {
             return None;
         }
         let count = |length: f64| (length / cell).ceil() as usize + 1;
-        Some(Self { function, window, cell, columns: count(size.re), rows: count(size.im), values: Vec::new() })
+        let (columns, rows) = (count(size.re), count(size.im));
+        let ends = function.field.singularities();
+        Some(Self { function, window, cell, columns, rows, values: Vec::new(), ends })
     }
 
     fn new(function: &'a Function<'a>, window: Window) -> Option<Self> {
@@ -230,7 +234,7 @@ impl<'a> Lattice<'a> {
 
     /// The point of the line nearest to one beside it, and F' there.
     fn corrected(&self, mut z: Complex64, level: f64) -> Option<(Complex64, Complex64)> {
-        const STEPS: usize = 4;
+        const STEPS: usize = 8;
         let mut slope = Complex64::ZERO;
         for _ in 0..STEPS {
             let (value, here) = self.function.at(z)?;
@@ -284,6 +288,10 @@ impl<'a> Lattice<'a> {
                         line.points.push(node.at);
                         return line;
                     }
+                    if let Some(end) = self.end_between(z, next) {
+                        line.points.push(end);
+                        return line;
+                    }
                     away = away || nodes.iter().all(|node| (node.at - next).norm() > 1.5 * node.radius);
                     if turn > 1.0 {
                         // Past a point of rest that nobody named.
@@ -317,6 +325,15 @@ impl<'a> Lattice<'a> {
             }
         }
         line
+    }
+
+    /// The singular point that the way from one point to the next comes near.
+    fn end_between(&self, from: Complex64, to: Complex64) -> Option<Complex64> {
+        let near = |end: &Complex64| {
+            let is_ahead = ((end - from) * (to - from).conj()).re > 0.0;
+            is_ahead && distance_from_segment(*end, from, to) <= CIRCLE * self.cell
+        };
+        self.ends.iter().copied().find(near)
     }
 
     /// Where the way from one point to the next leaves the window.

@@ -45,7 +45,7 @@ impl SlitShapes {
         let center = domain.center().ok_or_else(|| wrong("a center"))?;
         let charges = vec![0.0; domain.contours().len()];
         let factors = [Complex64::i(), Complex64::ONE];
-        let problem = |factor, at| Problem { source: Source::Pole(at, factor), charges: charges.clone() };
+        let problem = |factor, at| Problem { source: Source::pole(at, factor), charges: charges.clone() };
         let solved = Solved::solve(
             domain,
             &|scale| factors.map(|factor| problem(factor, scale.scaled(center))).to_vec(),

@@ -149,7 +149,7 @@ fn problem_of(domain: &Domain, kind: SlitKind) -> Result<Box<dyn Fn(Scale) -> Pr
         SlitKind::Disk => {
             let Some(center) = domain.center() else { return wrong("a center", "none".to_string()) };
             charges[0] = 1.0;
-            Ok(Box::new(move |scale| Problem { source: Source::Log(scale.scaled(center)), charges: charges.clone() }))
+            Ok(Box::new(move |scale| Problem { source: Source::log(scale.scaled(center)), charges: charges.clone() }))
         }
         SlitKind::Annulus { hole } => {
             if hole >= holes {
@@ -161,11 +161,11 @@ fn problem_of(domain: &Domain, kind: SlitKind) -> Result<Box<dyn Fn(Scale) -> Pr
         SlitKind::Parallel { angle } => {
             let factor = Complex64::new(0.0, 1.0) * Complex64::cis(-angle);
             if !domain.is_bounded() {
-                return Ok(Box::new(move |_| Problem { source: Source::Stream(factor), charges: charges.clone() }));
+                return Ok(Box::new(move |_| Problem { source: Source::stream(factor), charges: charges.clone() }));
             }
             let Some(center) = domain.center() else { return wrong("a center", "none".to_string()) };
             Ok(Box::new(move |scale| Problem {
-                source: Source::Pole(scale.scaled(center), factor),
+                source: Source::pole(scale.scaled(center), factor),
                 charges: charges.clone(),
             }))
         }
@@ -179,7 +179,7 @@ fn problem_of(domain: &Domain, kind: SlitKind) -> Result<Box<dyn Fn(Scale) -> Pr
             }
             domain.clone().with_center(pole)?;
             Ok(Box::new(move |scale| Problem {
-                source: Source::Vortices(scale.scaled(center), scale.scaled(pole)),
+                source: Source::vortices(scale.scaled(center), scale.scaled(pole)),
                 charges: charges.clone(),
             }))
         }

@@ -114,6 +114,12 @@ impl Solved {
         Ok(Self { domain: Arc::new(domain.clone()), scale: Scale { origin, unit }, solutions, evidence })
     }
 
+    /// The domain.
+    #[must_use]
+    pub fn domain(&self) -> &Domain {
+        &self.domain
+    }
+
     /// The coordinates of the problems.
     #[must_use]
     pub fn scale(&self) -> Scale {
@@ -130,8 +136,7 @@ impl Solved {
         }
     }
 
-    /// The function B of a sum of problems, each with its weight. Streams may be added up; of other sources there may be one, with
-    /// weight 1.
+    /// The function B of a sum of problems, each with its weight.
     #[must_use]
     pub fn field(&self, weights: &[f64]) -> DomainField {
         let problems = match &self.solutions {
@@ -140,7 +145,7 @@ impl Solved {
             Solutions::Curved(adapted, _) => &adapted.problems,
         };
         let used = problems.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
-        let source = used.fold(Source::Nothing, |sum, (problem, weight)| sum.and(problem.source, *weight));
+        let source = used.fold(Source::default(), |sum, (problem, weight)| sum.and(&problem.source, *weight));
         let sum = |part: &dyn Fn(usize) -> Vec<f64>| {
             let mut sum = part(0).iter().map(|x| x * weights[0]).collect::<Vec<f64>>();
             for (k, weight) in weights.iter().enumerate().skip(1) {

@@ -17,7 +17,7 @@ pub struct WallPatch {
     base: Complex64,
     coefficients: Vec<f64>,
     /// The branch of B at the zone's top less that of the series.
-    turn: f64,
+    turn: Complex64,
 }
 
 /// What a patch says of a point.
@@ -52,12 +52,13 @@ impl WallPatch {
         coefficients.iter_mut().enumerate().for_each(|(k, c)| *c /= (k + 1) as f64);
         let rest = boundary.lengths[zone.edge] - zone.along;
         let base = field.on_edge_between(zone.edge, zone.along, rest).0;
-        let mut patch = Self { zone, base, coefficients, turn: 0.0 };
+        let mut patch = Self { zone, base, coefficients, turn: Complex64::ZERO };
         let top = patch.top();
         let mut there = [Complex64::ZERO; 2];
         expand(top, 1e-3 * zone.reach, &mut there);
         if let Beside::Known(value, _) = patch.at(top) {
-            patch.turn = (there[0] - field.source.at(top).0 - value).im;
+            let turn = (there[0] - field.source.at(top).0 - value).im;
+            patch.turn = Complex64::new(field.turn(zone.edge, top), turn);
         }
         patch
     }
@@ -72,7 +73,7 @@ impl WallPatch {
         let Place::At(tau) = self.zone.place(z) else { return Complex64::ZERO };
         // By the middle of the way, so that neither half goes around the corner outside.
         let middle = self.zone.point(Complex64::cis(0.5 * (tau.arg() + FRAC_PI_2)) * tau.norm().max(0.5));
-        cuts.jump(self.top(), middle) + cuts.jump(middle, z) + Complex64::new(0.0, self.turn)
+        cuts.jump(self.top(), middle) + cuts.jump(middle, z) + self.turn
     }
 
     /// (B, B') at a point of the zone.

@@ -149,14 +149,14 @@ impl Panelled for CurvedDiscretisation {
     }
 
     fn values(&self, source: &Source, targets: &[Target]) -> Vec<f64> {
-        if let Source::Vortices(a, b) = *source {
-            let [a, b] = [a, b].map(|z| Arguments::new(self, z));
-            return targets
-                .iter()
-                .map(|target| b.at(self, target.panel, target.s) - a.at(self, target.panel, target.s))
-                .collect();
+        let level = |target: &Target| source.level_at(self.vertex(target.panel), target.offset);
+        let mut values: Vec<f64> = targets.iter().map(level).collect();
+        for (a, factor) in source.turning() {
+            let arguments = Arguments::new(self, a);
+            let turned = |target: &Target| factor * arguments.at(self, target.panel, target.s);
+            values.iter_mut().zip(targets).for_each(|(value, target)| *value += turned(target));
         }
-        targets.iter().map(|target| source.value_at(self.vertex(target.panel), target.offset)).collect()
+        values
     }
 
     fn fill_row(&self, target: &Target, first: usize, row: &mut [f64]) {

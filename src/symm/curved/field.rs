@@ -7,7 +7,7 @@
 use super::super::legendre::{MAX_NODES, legendre};
 use super::super::lu::small_solve;
 use super::super::panelled::Panelled;
-use super::super::problem::{Problem, Source};
+use super::super::problem::{Problem, Source, whole_turns};
 use super::arguments::Arguments;
 use super::cauchy::{self, CauchyPart, Sample, Sampled, Side, Sums};
 use super::discretisation::CurvedDiscretisation;
@@ -25,9 +25,8 @@ pub struct CurvedField {
     pub source: Source,
     /// The logarithms that make L − H: points and charges, with their arguments along the boundary.
     logs: Vec<(Complex64, f64, Arguments)>,
-    /// The same of G, of which they are all, with a factor.
-    source_logs: Vec<(Complex64, f64, Arguments)>,
-    source_factor: Complex64,
+    /// Those of G, with their factors.
+    source_logs: Vec<(Complex64, Complex64, Arguments)>,
     /// cⱼ.
     pub constants: Vec<f64>,
     /// On component j, Im B is this − 2π × the measure from vertex 0 of all.
@@ -51,22 +50,10 @@ impl CurvedField {
         let first = usize::from(discretisation.boundary.bounded);
         let holes = || inner_points.iter().zip(&charges).skip(first);
         let logs = holes().filter(|(_, charge)| **charge != 0.0).map(|(p, charge)| (*p, *charge, arguments(*p)));
-        let (source_logs, source_factor) = match source {
-            Source::Log(a) => (vec![(a, 1.0)], Complex64::ONE),
-            Source::Vortices(a, b) => (vec![(a, 1.0), (b, -1.0)], Complex64::i()),
-            Source::Nothing | Source::Pole(..) | Source::Stream(_) => (Vec::new(), Complex64::ZERO),
-        };
+        let source_logs = source.logs.iter().map(|(a, factor)| (*a, *factor, arguments(*a))).collect();
         let phases = vec![0.0; charges.len()];
-        let mut field = Self {
-            measure,
-            source,
-            logs: logs.collect(),
-            source_logs: source_logs.into_iter().map(|(a, factor)| (a, factor, arguments(a))).collect(),
-            source_factor,
-            constants,
-            phases,
-            parts: Vec::new(),
-        };
+        let mut field =
+            Self { measure, source, logs: logs.collect(), source_logs, constants, phases, parts: Vec::new() };
         let parts = field.new_parts();
         let phase = |p: &Complex64| {
             let sums = cauchy::sums_from(Sums::default(), &field, &parts, *p, Side::Region);
@@ -120,17 +107,23 @@ impl CurvedField {
         let continuous = |p: Complex64, arguments: &Arguments| {
             arguments.at(discretisation, q, s) + ((z - p) * (foot - p).conj()).arg()
         };
-        let turn = |(p, charge, arguments): &(Complex64, f64, Arguments)| {
-            charge * whole_turns(continuous(*p, arguments) - (z - p).arg())
+        let turn = |p: Complex64, arguments: &Arguments| whole_turns(continuous(p, arguments) - (z - p).arg());
+        let own: f64 = self.logs.iter().map(|(p, charge, arguments)| charge * turn(*p, arguments)).sum();
+        let of_source = self.source_logs.iter().map(|(a, factor, arguments)| factor * turn(*a, arguments));
+        Complex64::i() * (of_source.sum::<Complex64>() - own)
+    }
+
+    /// What takes B at a point of an edge from [`CurvedField::on_edge`] to the arguments of [`CurvedField::at`].
+    #[must_use]
+    pub fn turn(&self, component: usize, edge: usize, t: f64) -> f64 {
+        let (q, s) = self.measure.place(component, edge, t);
+        let discretisation = self.measure.discretisation.as_ref();
+        let z = discretisation.point(q, s);
+        let along = |k: usize, _| {
+            let mut turning = self.source_logs.iter().filter(|(_, factor, _)| factor.im != 0.0);
+            turning.nth(k).map_or(f64::NAN, |(.., arguments)| arguments.at(discretisation, q, s))
         };
-        let own: f64 = self.logs.iter().map(turn).sum();
-        let principal = match self.source {
-            Source::Log(a) => (z - a).arg(),
-            Source::Vortices(a, b) => ((z - a) / (z - b)).arg(),
-            Source::Nothing | Source::Pole(..) | Source::Stream(_) => 0.0,
-        };
-        let of_source: f64 = self.source_logs.iter().map(|(a, sign, arguments)| sign * continuous(*a, arguments)).sum();
-        Complex64::i() * (self.source_factor * whole_turns(of_source - principal) - own)
+        self.source.turn(z, &along)
     }
 
     /// (B, B') at a point of an edge of a component's outline, B continuous along the component.
@@ -166,20 +159,29 @@ impl CurvedField {
     /// (H, H') → (B, B').
     #[must_use]
     #[inline(never)]
-    pub fn of_single_valued(&self, z: Complex64, (value, slope): (Complex64, Complex64)) -> (Complex64, Complex64) {
-        let (mut value, mut slope) = (value, slope);
+    pub fn of_single_valued(&self, z: Complex64, known: (Complex64, Complex64)) -> (Complex64, Complex64) {
+        let ((value, slope), (source, source_slope)) = (self.with_logs(z, known), self.source.at(z));
+        (value - source, slope - source_slope)
+    }
+
+    /// (H, H') → (L, L').
+    fn with_logs(&self, z: Complex64, (mut value, mut slope): (Complex64, Complex64)) -> (Complex64, Complex64) {
         for (p, charge) in self.charged_holes() {
             value += (z - p).ln() * charge;
             slope += charge / (z - p);
         }
-        let (source, source_slope) = self.source.at(z);
-        (value - source, slope - source_slope)
+        (value, slope)
     }
 
-    /// L' at a point of the region.
+    /// L' at a point of the region, not beside the boundary.
     #[must_use]
     pub fn log_slope(&self, z: Complex64) -> Complex64 {
-        self.at(z).1 + self.source.at(z).1
+        let sums = Sums { below: self.around(), ..Sums::default() };
+        let sums = cauchy::sums_from(sums, self, &self.parts, z, Side::Region);
+        sums.map_or(NOWHERE, |sums| {
+            let (value, slope, _) = sums.evaluated();
+            self.with_logs(z, (value, slope)).1
+        })
     }
 
     /// The density at the vertex where an edge of a component's outline starts, over that of another field there, whose density
@@ -214,11 +216,6 @@ impl CurvedField {
         let fitted = small_solve(matrix, rhs);
         fitted.iter().enumerate().map(|(k, c)| if k % 2 == 0 { *c } else { -c }).sum()
     }
-}
-
-/// A multiple of 2π up to rounding.
-fn whole_turns(angle: f64) -> f64 {
-    TAU * (angle / TAU).round()
 }
 
 impl Sampled for CurvedField {

@@ -133,7 +133,7 @@ fn seen_from(
     options: &SolveOptions,
     progress: Progress,
 ) -> Result<CurvedSolution> {
-    let problem = Problem { source: Source::Log(center), charges: vec![1.0] };
+    let problem = Problem { source: Source::log(center), charges: vec![1.0] };
     let Adapted { system, mut outcomes, error_estimate, stop, .. } =
         adapt(system, rules, vec![problem], None, (options, Effort::Whole), progress)?;
     let outcome = outcomes.swap_remove(0);

@@ -12,6 +12,7 @@ mod joined;
 mod lines;
 mod opened;
 mod slits;
+mod vortices;
 
 use conformal_warp::{Complex64, SolveOptions};
 use std::f64::consts::TAU;
