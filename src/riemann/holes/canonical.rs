@@ -1,6 +1,7 @@
 //! A map onto a canonical region, both ways.
 
 use super::super::both_ways::Pointwise;
+use super::barriers::Barriers;
 use super::field::DomainField;
 use super::inverse_tree::{InverseTree, Inverted, Origin, Pair};
 use super::seeds::Seeds;
@@ -24,6 +25,13 @@ pub struct Form {
     pub zero: Option<Complex64>,
 }
 
+impl Form {
+    /// What keys are measured in: where nothing goes to 0 or infinity by a logarithm, plane units or their inverse.
+    fn unit(&self) -> f64 {
+        if self.exponential { 1.0 } else { self.factor.norm() }
+    }
+}
+
 /// A map domain → canonical region.
 #[derive(Clone, Debug)]
 pub struct Canonical {
@@ -39,6 +47,8 @@ pub struct Canonical {
     satisfied: f64,
     /// The larger side of the first component's box.
     size: f64,
+    /// The slits that components go to.
+    barriers: Barriers,
     /// Made at the first use of the way back.
     back: Arc<OnceLock<Back>>,
 }
@@ -53,7 +63,7 @@ struct Back {
 
 /// Newton's method ends after so many steps.
 const MOST_STEPS: usize = 80;
-/// So much is left of k if nothing else is said.
+/// So much is left of k, in its units, if nothing else is said.
 const REACHED: f64 = 1e-10;
 /// It is satisfied with so much if nothing else is said,
 const SATISFIED: f64 = 1e-13;
@@ -71,11 +81,21 @@ impl Canonical {
     #[must_use]
     pub fn new(field: DomainField, form: Form, strip: (f64, f64)) -> Self {
         let size = field.domain().contours()[0].polygon().size();
-        let (reached, satisfied) = match field.coherence() {
-            Some(error) => (REACHED.max(error), SATISFIED.max(error)),
-            None => (REACHED, SATISFIED),
-        };
-        Self { field: Arc::new(field), partner: None, form, strip, reached, satisfied, size, back: Arc::default() }
+        let unit = form.unit();
+        let coherence = field.coherence().unwrap_or(0.0);
+        let [reached, satisfied] = [REACHED, SATISFIED].map(|least| unit * coherence.max(least));
+        let barriers = Barriers::default();
+        Self {
+            field: Arc::new(field),
+            partner: None,
+            form,
+            strip,
+            reached,
+            satisfied,
+            size,
+            barriers,
+            back: Arc::default(),
+        }
     }
 
     /// 1/(aB(z) + iaC(z) + b) with B and C of two fields of one domain.
@@ -90,6 +110,12 @@ impl Canonical {
     #[must_use]
     pub fn reaching(self, reach: f64) -> Self {
         Self { reached: reach.max(self.reached), ..self }
+    }
+
+    /// The same map, whose way back does not look through these slits, given by the keys of their ends.
+    #[must_use]
+    pub fn around(self, slits: Vec<[Complex64; 2]>) -> Self {
+        Self { barriers: Barriers::new(slits, self.form.exponential, self.reached), ..self }
     }
 
     /// Makes now what evaluation makes at its first use, either way.
@@ -107,7 +133,7 @@ impl Canonical {
     fn back(&self) -> &Back {
         self.back.get_or_init(|| {
             let key = |z| self.key(z).map(|(key, _)| key).filter(|key| key.is_finite());
-            let seeds = Seeds::new(self.domain(), self.form.exponential, &key);
+            let seeds = Seeds::new(self.domain(), self.form.exponential, !self.barriers.is_empty(), &key);
             let tree = InverseTree::new(&seeds);
             Back { seeds, tree }
         })
@@ -121,7 +147,7 @@ impl Canonical {
             Some(Pair { key: target, z, slope: slope.inv() })
         };
         let (strip, accuracy, size) = (self.strip, self.field.accuracy(), self.size);
-        what(&Inverted { seeds: &back.seeds, strip, newton: &newton, accuracy, size })
+        what(&Inverted { seeds: &back.seeds, barriers: &self.barriers, strip, newton: &newton, accuracy, size })
     }
 
     /// The function B.
@@ -174,8 +200,10 @@ impl Canonical {
         let back = self.back();
         let found = match self.inverting(back, |inverted| back.tree.at(target, inverted)) {
             Origin::Known(z, slope) => Some((z, slope)),
-            Origin::Near(pair) => self.newton(target, pair.guess(target)).map(|(z, slope)| (z, slope.inv())),
-            Origin::Unknown => None,
+            Origin::Near(pair) if !self.barriers.part(pair.key, target) => {
+                self.newton(target, pair.guess(target)).map(|(z, slope)| (z, slope.inv()))
+            }
+            Origin::Near(_) | Origin::Unknown => None,
         };
         let (z, slope) = found.or_else(|| {
             let (z, slope) = self.from_seeds(target)?;
@@ -199,10 +227,11 @@ impl Canonical {
         (sum + Complex64::i() * self.form.factor * partner).inv()
     }
 
-    /// (z, k') where k is `target`, by Newton's method from what lies near.
+    /// (z, k') where k is `target`, by Newton's method from what lies near, on the same side of all slits.
     #[cold]
     fn from_seeds(&self, target: Complex64) -> Option<(Complex64, Complex64)> {
-        let candidates = self.back().seeds.near(target, CANDIDATES);
+        let is_beside = |key: Complex64| !self.barriers.part(key, target);
+        let candidates = self.back().seeds.near_where(target, CANDIDATES, &is_beside);
         let direct = candidates.iter().find_map(|&(_, z)| self.newton(target, z));
         direct.or_else(|| candidates.iter().find_map(|&(key, z)| self.walk(key, z, target)))
     }
@@ -253,7 +282,7 @@ impl Canonical {
     /// Newton's method for k(z) = target, with steps that stay in the domain and come nearer: z, and k' there.
     fn newton(&self, target: Complex64, z: Complex64) -> Option<(Complex64, Complex64)> {
         let (mut z, (key, mut slope)) = self.key_inside(z)?;
-        let rounding = ROUNDING * (1.0 + target.norm());
+        let rounding = ROUNDING * (self.form.unit() + target.norm());
         let mut miss = self.miss(key, target);
         for _ in 0..MOST_STEPS {
             let mut step = -miss / slope;

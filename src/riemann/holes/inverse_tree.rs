@@ -4,6 +4,7 @@
 use super::super::atlas::accuracy::Accuracy;
 use super::super::atlas::power_series::Series;
 use super::super::lazy_tree::{Decision, LazyTree, Square};
+use super::barriers::Barriers;
 use super::seeds::Seeds;
 use crate::Result;
 use crate::plane::Complex64;
@@ -64,6 +65,8 @@ pub enum Origin {
 pub struct Inverted<'a> {
     /// Pairs all over the domain.
     pub seeds: &'a Seeds,
+    /// What keys lie on two sides of.
+    pub barriers: &'a Barriers,
     /// The keys' real parts lie between these.
     pub strip: (f64, f64),
     /// The pair of a key by Newton's method from a point.
@@ -150,14 +153,19 @@ impl InverseTree {
 impl Inverted<'_> {
     /// The pair of a key, from one not too far away.
     fn pair(&self, key: Complex64, known: Option<Pair>) -> Option<Pair> {
-        let near = || self.seeds.near(key, CANDIDATES).into_iter();
+        let is_beside = |other: Complex64| !self.barriers.part(other, key);
+        let near = || self.seeds.near_where(key, CANDIDATES, &is_beside).into_iter();
         known
+            .filter(|pair| is_beside(pair.key))
             .and_then(|pair| (self.newton)(key, pair.guess(key)))
             .or_else(|| near().find_map(|(_, z)| (self.newton)(key, z)))
     }
 
     /// The series around a pair, from samples on a circle, if it is accurate: across a slit it is not.
     fn series(&self, middle: &Pair, radius: f64) -> Option<Box<[Complex64]>> {
+        if self.barriers.distance(middle.key, 2.0 * radius) < radius {
+            return None;
+        }
         let mut samples = [Complex64::ZERO; SAMPLES];
         let mut last = *middle;
         for (sample, turn) in samples.iter_mut().zip(*TURNS) {

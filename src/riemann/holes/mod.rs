@@ -4,6 +4,7 @@
 //! (`canonical`), which goes both ways.
 
 mod annulus;
+mod barriers;
 mod canonical;
 mod circle;
 mod circle_search;

@@ -1,6 +1,7 @@
 //! A disk with round holes as its slit maps show it, both ways.
 
 use super::super::atlas::accuracy::Accuracy;
+use super::barriers::Barriers;
 use super::circle::{Circle, UNIT};
 use super::inverse_tree::{InverseTree, Inverted, Origin, Pair};
 use super::round_shapes::RoundShapes;
@@ -147,7 +148,8 @@ impl RoundPicture {
     fn inverting<T>(&self, seeds: &Seeds, what: impl FnOnce(&Inverted) -> T) -> T {
         let strip = (f64::NEG_INFINITY, f64::INFINITY);
         let newton = |v: Complex64, w: Complex64| self.newton(v, w);
-        what(&Inverted { seeds, strip, newton: &newton, accuracy: Accuracy::beside(SERIES_ERROR), size: 1.0 })
+        let (barriers, accuracy) = (&Barriers::default(), Accuracy::beside(SERIES_ERROR));
+        what(&Inverted { seeds, barriers, strip, newton: &newton, accuracy, size: 1.0 })
     }
 
     /// Newton's method from a point not too far away.

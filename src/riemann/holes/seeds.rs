@@ -23,17 +23,20 @@ const BINS: i64 = 48;
 const GRID: u32 = 40;
 /// Places on an edge, as shares of it,
 const ALONG: [f64; 9] = [0.001, 0.02, 0.12, 0.3, 0.5, 0.7, 0.88, 0.98, 0.999];
-/// of which there are about so many at most.
+/// how far beside them, as shares of the outline's size,
+const BESIDE: [f64; 2] = [1e-3, 0.02];
+/// of which places there are about so many at most.
 const MOST_ON_BOUNDARY: usize = 6000;
 
 impl Seeds {
-    /// Samples a domain; `key` gives the key of a point of it.
+    /// Samples a domain, and close to its boundary if the two sides of that are to be told apart; `key` gives the key of a point
+    /// of it.
     #[must_use]
-    pub fn new(domain: &Domain, periodic: bool, key: &dyn Fn(Complex64) -> Option<Complex64>) -> Self {
+    pub fn new(domain: &Domain, periodic: bool, beside: bool, key: &dyn Fn(Complex64) -> Option<Complex64>) -> Self {
         let reduced = |key: Complex64| {
             if periodic { Complex64::new(key.re, key.im.rem_euclid(TAU)) } else { key }
         };
-        Self::of(samples(domain).into_iter().filter_map(|z| Some((reduced(key(z)?), z))).collect(), periodic)
+        Self::of(samples(domain, beside).into_iter().filter_map(|z| Some((reduced(key(z)?), z))).collect(), periodic)
     }
 
     /// Pairs (key, z), where periodic keys' imaginary parts lie in [0, 2π).
@@ -84,6 +87,17 @@ impl Seeds {
     /// A few pairs near a key, nearest first.
     #[must_use]
     pub fn near(&self, key: Complex64, count: usize) -> Vec<(Complex64, Complex64)> {
+        self.near_where(key, count, &|_| true)
+    }
+
+    /// A few pairs near a key, nearest first, of those with keys that will do.
+    #[must_use]
+    pub fn near_where(
+        &self,
+        key: Complex64,
+        count: usize,
+        will_do: &dyn Fn(Complex64) -> bool,
+    ) -> Vec<(Complex64, Complex64)> {
         let key = if self.periodic { Complex64::new(key.re, key.im.rem_euclid(TAU)) } else { key };
         let (column, row) = self.bin(key);
         let distance = |other: Complex64| self.apart(other, key).norm_sqr();
@@ -95,7 +109,8 @@ impl Seeds {
                 let y = if self.periodic { (row + dy).rem_euclid(BINS) } else { row + dy };
                 if (0..BINS).contains(&x) && (0..BINS).contains(&y) {
                     let bin = &self.bins[(y * BINS + x) as usize];
-                    found.extend(bin.iter().map(|&index| (distance(self.pairs[index as usize].0), index)));
+                    let known = bin.iter().map(|&index| (self.pairs[index as usize].0, index));
+                    found.extend(known.filter(|(key, _)| will_do(*key)).map(|(key, index)| (distance(key), index)));
                 }
             }
             // One ring more: its bins may hold nearer ones.
@@ -128,8 +143,8 @@ fn ring(reach: i64) -> impl Iterator<Item = (i64, i64)> {
         .filter(move |(x, y)| x.abs().max(y.abs()) == reach)
 }
 
-/// Points all over a domain and on its boundary.
-fn samples(domain: &Domain) -> Vec<Complex64> {
+/// Points all over a domain and on its boundary, and `beside` it.
+fn samples(domain: &Domain, beside: bool) -> Vec<Complex64> {
     let outlines: Vec<_> = domain.contours().iter().map(|contour| contour.polygon()).collect();
     let (mut low, mut high) = outlines[0].bounds();
     for outline in &outlines {
@@ -145,7 +160,13 @@ fn samples(domain: &Domain) -> Vec<Complex64> {
             for t in ALONG.iter().step_by(stride) {
                 let (a, b) = outline.edge(edge);
                 let z = a + (b - a) * t;
-                points.push(if contour.curve() == Curve::Polygon { z } else { contour.nearest(z).point });
+                let z = if contour.curve() == Curve::Polygon { z } else { contour.nearest(z).point };
+                points.push(z);
+                if beside {
+                    // On both sides: what lies outside has no key.
+                    let across = Complex64::i() * (b - a) / (b - a).norm() * outline.size();
+                    points.extend(BESIDE.iter().flat_map(|share| [z + across * share, z - across * share]));
+                }
             }
         }
     }

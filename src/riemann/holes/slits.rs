@@ -76,7 +76,10 @@ impl SlitMap {
         let form = form_of(&field, solved.scale(), kind);
         let strip = strip_of(&field, kind);
         let map = Canonical::new(field, form, strip);
-        let slits = slits(&map, kind, form.exponential);
+        let keys = slits(&map, kind);
+        let end = |key: Complex64| if form.exponential { key.exp() } else { key };
+        let slits = keys.iter().map(|ends| Slit { ends: ends.map(end) }).collect();
+        let map = map.around(keys);
         Ok(Self { map, kind, slits, evidence: solved.evidence })
     }
 
@@ -228,19 +231,19 @@ fn regular_part(field: &DomainField, factor: Complex64, center: Complex64) -> Co
     parts.sum::<Complex64>() / f64::from(POINTS)
 }
 
-/// The slits that components go to.
-fn slits(map: &Canonical, kind: SlitKind, exponential: bool) -> Vec<Slit> {
+/// The keys of the ends of the slits that components go to.
+fn slits(map: &Canonical, kind: SlitKind) -> Vec<[Complex64; 2]> {
     let is_slit = |component: usize| match kind {
         SlitKind::Disk => component > 0,
         SlitKind::Annulus { hole } => component > 0 && component != hole + 1,
         SlitKind::Parallel { .. } | SlitKind::Radial { .. } => true,
     };
     let count = map.domain().contours().len();
-    (0..count).filter(|&component| is_slit(component)).map(|component| slit(map, component, exponential)).collect()
+    (0..count).filter(|&component| is_slit(component)).map(|component| slit(map, component)).collect()
 }
 
 /// Im B goes up and down once around a slit: its ends are the extremes.
-fn slit(map: &Canonical, component: usize, exponential: bool) -> Slit {
+fn slit(map: &Canonical, component: usize) -> [Complex64; 2] {
     let point = |place: f64| map.domain().place_along(component, place);
     let contour = &map.domain().contours()[component];
     let extreme = |sign: f64| {
@@ -249,10 +252,9 @@ fn slit(map: &Canonical, component: usize, exponential: bool) -> Slit {
         let places = (0..contour.edge_count() * samples).map(|k| k as f64 / samples as f64);
         let value = |place: f64| sign * map.field().on_boundary(point(place)).0.im;
         let best = places.max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap_or(0.0);
-        let key = map.key_on_boundary(point(peak(&value, best - 1.0 / samples as f64, best + 1.0 / samples as f64))).0;
-        if exponential { key.exp() } else { key }
+        map.key_on_boundary(point(peak(&value, best - 1.0 / samples as f64, best + 1.0 / samples as f64))).0
     };
-    Slit { ends: [extreme(1.0), extreme(-1.0)] }
+    [extreme(1.0), extreme(-1.0)]
 }
 
 evidence_methods!(SlitMap, "of log w; of parallel slits, of w in units of the domain's size or its inverse.");
