@@ -7,7 +7,7 @@ import { Failure } from "./steps.mjs";
 
 /** In bytes of gzip; the goal beyond is 400 kB, 150 kB and 15 kB. */
 const LIMITS = [
-  { name: "the module", files: ["pkg/conformal_warp_bg.wasm"], most: 732_000 },
+  { name: "the module", files: ["pkg/conformal_warp_bg.wasm"], most: 734_000 },
   { name: "its code", files: ["pkg/*"], most: 23_400 },
   { name: "the module of formulas", files: ["pkg/formula/formula_bg.wasm"], most: 197_500 },
   { name: "its code", files: ["pkg/formula/*"], most: 16_200 },
