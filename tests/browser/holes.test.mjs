@@ -135,7 +135,7 @@ test("a hole is drawn, dragged, and taken out again", async () => {
   await close();
 });
 
-test("letters and drawings bring their holes, and the page of two regions says that it leaves them out", async () => {
+test("letters and drawings bring their holes, and they go along to the page of two regions", async () => {
   const { page, errors, close } = await openPage(session);
   await page.locator("#choose-shape").selectOption("letter");
   await page.locator("input.letter").fill("B");
@@ -150,8 +150,9 @@ test("letters and drawings bring their holes, and the page of two regions says t
   await told(page, "Inner radius");
   assert.match(await evidence(page), /Inner radius\s+0\.4\d+/);
   await page.locator('nav a[href^="regions"]').click();
-  await settled(page, "ready");
-  assert.doesNotMatch(page.url(), /holes/);
+  await settled(page, "invalid");
+  assert.match(page.url(), /a\.holes=M/);
+  assert.match(await page.locator("#notice").innerText(), /first region has one hole, the second none/);
   assert.deepEqual(errors, []);
   await close();
 });

@@ -90,6 +90,7 @@ test("8192 × 8192 shows how far it is, leaves the page alive, and is cancelled"
 for (const [path, parts] of /** @type {const} */ ([
   ["", ["outline-1", "mesh-1", "lines-1", "vector-1", "rim-2", "mesh-2"]],
   ["regions.html", ["outline-1", "mesh-1", "vector-1", "outline-2", "mesh-2"]],
+  ["regions.html#a.shape=frame&b.shape=frame", ["outline-1", "lines-1", "vector-1", "outline-2", "lines-2"]],
   ["formula.html", ["lines-1", "lines-2"]],
   ["cortex.html", ["lines-1", "rim-1"]],
 ])) {

@@ -31,12 +31,10 @@ const keyOf = (page) => `address of ${page || "index.html"}`;
 export function addressFor(last, fields, page) {
   const address = new URLSearchParams(last);
   const prefix = prefixOf(page);
-  // Holes are for the page of the disk alone.
-  const { holes: _, ...outer } = fields;
-  const sent = draws(page) ? (page === "" ? fields : outer) : "image" in fields && warps(page) ? { image: fields.image } : {};
+  const sent = draws(page) ? fields : "image" in fields && warps(page) ? { image: fields.image } : {};
   const same = address.get(`${prefix}image`) === sent.image;
-  if (sent.image !== undefined && !(same && !sent.region)) {
-    // Another photo: the region drawn on the last one and the place that was looked at there are not meant.
+  if (sent.image !== undefined && !(same && !sent.region && !sent.path)) {
+    // Another photo or drawing: the region drawn on the last one and the place that was looked at there are not meant.
     for (const name of draws(page) ? [...DRAWING, "shape"] : ["fixation"]) address.delete(prefix + name);
   }
   for (const [name, value] of Object.entries(sent)) address.set(prefix + name, value);

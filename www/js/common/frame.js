@@ -65,3 +65,6 @@ export function unflatten(flat) {
   for (let k = 0; k + 1 < flat.length; k += 2) points.push([flat[k], flat[k + 1]]);
   return points;
 }
+
+/** The same, with null for points that are none. @param {ArrayLike<number>} flat @returns {(Point | null)[]} */
+export const known = (flat) => unflatten(flat).map((p) => (Number.isFinite(p[0]) ? p : null));

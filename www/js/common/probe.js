@@ -12,7 +12,7 @@ import { pathData, pixelOf, set, svg } from "./svg.js";
  * @typedef {{ carry(from: Side, points: Point[]): (Point | null)[] | Promise<(Point | null)[] | null> }} Carrier
  */
 /** @typedef {{ root: SVGSVGElement, frame: Frame }} View */
-/** What the map does near the pointer: pixels per pixel, and degrees counter-clockwise. @typedef {{ stretch: number, turn: number }} Reading */
+/** What the map does near the pointer: pixels per pixel along a line to the right, most, and least, and degrees counter-clockwise. @typedef {{ stretch: number, most: number, least: number, turn: number }} Reading */
 
 /** What is carried: a small figure. @typedef {"circle" | "square" | "letter"} Figure */
 /** Where it stays while no pointer leads it: `reach` is its size in the plane. @typedef {{ side: Side, at: Point, reach: number }} Pin */
@@ -103,17 +103,18 @@ export class Probe {
     const other = side === "source" ? "target" : "source";
     const [here, there] = [this.#views[side].frame, this.#views[other].frame];
     const lines = FIGURES[this.figure].map((line) => line.map(([u, v]) => /** @type {Point} */ ([x + reach * u, y + reach * v])));
-    const points = [/** @type {Point} */ ([x, y]), /** @type {Point} */ ([x + STEP / scaleOf(here), y]), ...lines.flat()];
+    const step = STEP / scaleOf(here);
+    const points = [/** @type {Point} */ ([x, y]), /** @type {Point} */ ([x + step, y]), /** @type {Point} */ ([x, y + step]), ...lines.flat()];
     const carried = this.#carrier()?.carry(side, points);
     const images = carried instanceof Promise ? await carried : carried;
     if (place !== this.#place) return;
-    const [middle, right, ...rest] = (images ?? []).map((p) => p && toPixels(there, p));
+    const [middle, right, up, ...rest] = (images ?? []).map((p) => p && toPixels(there, p));
     if (!middle && !this.#pin) return this.hide();
     set(this.#marks[side], { d: lines.map((line) => pathData(line.map((p) => toPixels(here, p)), false)).join("") });
     const tear = TEAR * Math.max(1, (reach * scaleOf(here)) / REACH);
     const parts = lines.flatMap((line) => runs(rest.splice(0, line.length), tear));
     set(this.#marks[other], { d: parts.map((line) => pathData(line, false)).join("") });
-    this.#onReading(middle && right ? reading(side, middle, right) : null);
+    this.#onReading(middle && right ? reading(side, middle, right, up) : null);
   }
 
   #followHandle() {
@@ -159,12 +160,16 @@ export class Probe {
   }
 }
 
-/** @param {Side} side @param {Point} middle @param {Point} right the image of what is `STEP` pixels to the right @returns {Reading} */
-function reading(side, [u, v], [u1, v1]) {
-  const [du, dv] = [(u1 - u) / STEP, (v1 - v) / STEP];
+/** @param {Side} side @param {Point} middle @param {Point} right the image of what is `STEP` pixels to the right @param {Point | null} up of what is as far above, if that has one @returns {Reading} */
+function reading(side, [u, v], [u1, v1], up) {
+  const [du, dv] = [(u1 - u) / STEP, (v - v1) / STEP];
+  const [eu, ev] = up ? [(up[0] - u) / STEP, (v - up[1]) / STEP] : [-dv, du];
   const stretch = Math.hypot(du, dv);
-  const turn = (Math.atan2(-dv, du) * 180) / Math.PI;
-  return side === "source" ? { stretch, turn } : { stretch: 1 / stretch, turn: -turn };
+  const turn = (Math.atan2(dv, du) * 180) / Math.PI;
+  // |∂f/∂z| and |∂f/∂z̄|: the most is their sum, the least their difference.
+  const [keeps, turns] = [Math.hypot(du + ev, dv - eu) / 2, Math.hypot(du - ev, dv + eu) / 2];
+  const [most, least] = [keeps + turns, Math.abs(keeps - turns)];
+  return side === "source" ? { stretch, most, least, turn } : { stretch: 1 / stretch, most: 1 / least, least: 1 / most, turn: -turn };
 }
 
 /** What the map does under the pointer. @param {Reading} reading @param {string} what is warped */

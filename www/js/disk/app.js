@@ -13,6 +13,7 @@ import { probeRow } from "../common/probe-menu.js";
 import { offerToSave } from "../common/save-menu.js";
 import { careFor, Scheduler } from "../common/scheduler.js";
 import { documentOf } from "../editor/document.js";
+import { Drawing } from "../editor/drawing.js";
 import { Editor } from "../editor/edit.js";
 import { failureWords, probeWords, rows } from "../editor/evidence.js";
 import { offerEdges } from "../editor/edge-menu.js";
@@ -20,13 +21,12 @@ import { letterDialog } from "../editor/letter-dialog.js";
 import { looksLikeOutline } from "../editor/outline-text.js";
 import { OutlineReader } from "../editor/outline-dialog.js";
 import { wishesOf } from "../editor/overlays.js";
-import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
 import { defaultRegion, LETTER, photoRegion, READ, shapeRegion } from "../editor/presets.js";
-import { addHole, carried, makeRegion, pointsOf } from "../editor/region.js";
+import { carried, makeRegion, pointsOf } from "../editor/region.js";
 import { offerRepair } from "../editor/repair-button.js";
 import { NOTHING_SHOWN, Store } from "../editor/store.js";
-import { drawingFields, drawingSchema, encodeDrawing, encodeShown, holesSchema, shownOf, shownSchema } from "../editor/url.js";
+import { drawingFields, drawingSchema, encodeDrawing, encodeShown, ontoSchema, shownOf, shownSchema } from "../editor/url.js";
 import { ontoOf } from "./onto.js";
 import { Controls } from "./controls.js";
 import { DiskView } from "./disk-view.js";
@@ -76,17 +76,9 @@ const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWord
 
 const store = new Store({ image: FIRST_PHOTO, region: photoRegion(FIRST_PHOTO) }, NOTHING_SHOWN);
 const editor = new Editor(store, photoView);
-/** What is drawn next. @type {"draw" | "hole"} */
-let wanted = "draw";
-const pen = new Pen({
-  view: photoView,
-  isActive: () => store.mode !== "edit",
-  onMode: (drawing) => store.setMode(drawing ? wanted : "edit"),
-  onOutline: (boundary) => useDrawn({ boundary }),
-  onStroke: useDrawn,
-});
+const drawing = new Drawing(store, photoView, useOutline);
 /** Where outlines go. */
-const onPhoto = { photo: () => picture.frame, use: useOutline, takesHoles: true };
+const onPhoto = { photo: () => picture.frame, use: useOutline };
 const outlines = new OutlineReader({ parse: (text) => scheduler.ask({ what: "outline", text }), ...onPhoto });
 const askForLetter = letterDialog(onPhoto);
 offerEdges(element("choose-edge"), [{ store, editor, view: photoView }]);
@@ -98,8 +90,8 @@ const probe = new Probe(photoView, diskView, () => outcome?.carrier ?? null, (re
 });
 
 const controls = new Controls(store, {
-  draw: () => draws("draw"),
-  hole: () => draws("hole"),
+  draw: () => drawing.toggle("draw"),
+  hole: () => drawing.toggle("hole"),
   remove: () => editor.removeSelected(),
   reset: () => replaceRegion(defaultRegion(picture)),
   photo: (id) => openPicture(loadPicture(id)),
@@ -158,7 +150,7 @@ async function start() {
 /** Goes to another address: what it says, and the rest as it is. */
 async function visit() {
   const { doc, shown, wrong } = await read(location.hash);
-  pen.cancel();
+  drawing.cancel();
   visiting = true;
   store.show(shown);
   if (doc.image !== store.doc.image || doc.region !== store.doc.region) store.commit(doc);
@@ -168,7 +160,7 @@ async function visit() {
 
 /** The state that an address asks for; its picture is loaded, and what is wrong with it is said. @param {string} hash */
 async function read(hash) {
-  const { values, wrong } = readAddress(hash, { ...drawingSchema, ...shownSchema, ...holesSchema });
+  const { values, wrong } = readAddress(hash, { ...drawingSchema, ...shownSchema, ...ontoSchema });
   const { show, density, morph, onto: became, ...fields } = values;
   remark(wrongWords(wrong));
   picture = await pictureFor(fields.image ?? store.doc.image);
@@ -179,7 +171,7 @@ async function read(hash) {
 /** @param {Promise<Picture>} loading */
 function openPicture(loading) {
   return photos.open(loading, (loaded) => {
-    pen.cancel();
+    drawing.cancel();
     picture = loaded;
     store.commit({ image: picture.id, region: defaultRegion(picture) });
   });
@@ -190,23 +182,9 @@ function useOutline(outline, holes) {
   replaceRegion(makeRegion(outline, undefined, undefined, holes));
 }
 
-/** Begins to draw a region, or a hole in it; once more, and it is given up. @param {"draw" | "hole"} what */
-function draws(what) {
-  if (store.mode === what) return pen.cancel();
-  pen.cancel();
-  wanted = what;
-  pen.begin();
-}
-
-/** @param {import("../editor/outline.js").Outline} outline as it was drawn: of the region, or of a hole in it */
-function useDrawn(outline) {
-  if (wanted === "hole") store.commit({ region: addHole(store.doc.region, outline) });
-  else useOutline(outline);
-}
-
 /** A drawing that is under way ends there. @param {import("../editor/region.js").Region} region */
 function replaceRegion(region) {
-  pen.cancel();
+  drawing.cancel();
   store.commit({ region });
 }
 

@@ -41,7 +41,7 @@ export class Controls {
     this.#showShown = showMenu(store, find("show"), [probe]);
     const { draw, hole, remove, undo, redo, reset, upright, open, stop } = this.#buttons;
     this.#photo = new PhotoChoice(find("choose-photo"), actions.photo);
-    listShapes(this.#shape, { holed: true });
+    listShapes(this.#shape);
     this.#shape.onchange = () => {
       actions.shape(this.#shape.value);
       this.#shape.value = "";

@@ -1,21 +1,19 @@
 // From a drawn region with holes to a picture of the ring, or of the disk with slits or round holes in it.
 
 import { Texture } from "../../pkg/index.js";
-import { flatten, scaledTo, unflatten } from "../common/frame.js";
+import { flatten, known, scaledTo, unflatten } from "../common/frame.js";
 import { arrowLines } from "../common/layers.js";
 import { BAND } from "../common/plate.js";
 import { pointByPoint } from "../common/point-by-point.js";
-import { carriedHeat, diskLines, DRAFT_HEAT, FINE_HEAT, heatOf, UNIT_CIRCLE } from "../editor/field.js";
+import { holeLines, SolvedCanonical } from "../editor/canonical.js";
+import { carriedHeat, diskLines, DRAFT_HEAT, FINE_HEAT, heatOf, radiusAt, UNIT_CIRCLE } from "../editor/field.js";
 import { drawnLayers, heatPixels } from "../editor/overlays.js";
-import { polygonOf } from "../editor/outline.js";
-import { readPath } from "../editor/path.js";
-import { solveCanonical } from "./canonical.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../common/layers.js").Layer} Layer */
 /** @typedef {import("../editor/overlays.js").Over} Over */
-/** @typedef {import("./canonical.js").Canonical} Canonical */
+/** @typedef {import("../editor/canonical.js").Canonical} Canonical */
 /** @typedef {import("./pipeline.js").Job} Job */
 /** @typedef {import("./pipeline.js").Result} Result */
 /** @typedef {{ texture: Texture, frame: Frame }} Picture */
@@ -25,13 +23,12 @@ const LEAP = 0.02;
 const STRIDE = 6;
 
 export class HoledImage {
-  /** @type {(Canonical & { key: string, ms: number }) | null} */
-  #last = null;
+  #solved = new SolvedCanonical();
 
   /** @param {Job} job @param {Picture} picture @param {import("../common/serve.js").Talk<Result>} talk */
   async run(job, { texture, frame }, { progress, pause }) {
     const { version, view, corners: given } = job;
-    const solved = this.#solve(job, (stage, share) => progress(stage, 0.7 * share));
+    const solved = this.#solved.solve(job, job.onto, job.tolerance, (stage, share) => progress(stage, 0.7 * share));
     const { map, walls, facts, ms } = solved;
     const begin = performance.now();
     const pixels = await pointByPoint(map, texture, frame, view, (share) => progress("picture", 0.7 + 0.3 * share), pause);
@@ -57,56 +54,37 @@ export class HoledImage {
 
   /** Points of the last picture, by the map itself. @param {import("../common/probe.js").Side} side @param {Point[]} points */
   carry(side, points) {
-    const carried = this.#last?.[side === "source" ? "to" : "from"](flatten(points));
-    return carried ? unflatten(carried).map((p) => (Number.isFinite(p[0]) ? p : null)) : null;
+    const carried = this.#solved.last?.[side === "source" ? "to" : "from"](flatten(points));
+    return carried ? known(carried) : null;
   }
 
   /** @param {Job} job @param {Picture} picture @param {(share: number) => void} onShare @returns {import("../common/plate.js").Plate} */
   plate(job, { texture, frame }, onShare) {
     const { view, show } = job;
-    const solved = this.#solve(job, (_, share) => onShare(share));
+    const solved = this.#solved.solve(job, job.onto, job.tolerance, (_, share) => onShare(share));
     const { map, walls, corners } = solved;
     const { source, target } = overOf({ ...job, fine: true, show: { ...show, heat: false } }, solved);
-    const heat = show.heat ? heatOf(map, radiusOf(solved, job.center), corners, FINE_HEAT) : null;
+    const heat = show.heat ? heatOf(map, radiusAt(map, job.center), corners, FINE_HEAT) : null;
     const colours = heat && new Texture(heat.pixels, ...heat.frame.pixels);
     const way = { view, direction: /** @type {const} */ ("push-forward"), quality: /** @type {const} */ ("best") };
-    const holes = job.holes.map((path) => flatten(polygonOf(readPath(path))));
     return {
       frame: view,
       band: BAND,
       draw: (rows) => map.warp(texture, { ...way, texture: frame, rows }),
       tint: colours && heat && ((rows) => map.warp(colours, { ...way, texture: heat.frame, rows })),
       panels: [
-        { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...drawnLayers(source, undefined, null), { ink: "outline", lines: [corners, ...holes], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, frame) }] },
+        { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...drawnLayers(source, undefined, null), { ink: "outline", lines: [corners, ...holeLines(job.holes)], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, frame) }] },
         { name: "disk", frame: view, layers: [...drawnLayers(target, undefined, null), { ink: "rim", lines: [UNIT_CIRCLE], closed: true }, { ink: "outline", lines: walls, closed: true }] },
       ],
       free: () => colours?.free(),
     };
   }
-
-  /** @param {Job} job @param {import("../common/serve.js").Progress} progress */
-  #solve(job, progress) {
-    const { boundary, path, holes, center, toward, onto, tolerance } = job;
-    const key = JSON.stringify([path || [...boundary], holes, onto === "ring" ? null : center, toward, onto, tolerance]);
-    if (this.#last?.key === key) return this.#last;
-    const begin = performance.now();
-    const solved = solveCanonical(job, onto, tolerance, progress);
-    this.#last?.map.free();
-    this.#last = { ...solved, key, ms: performance.now() - begin };
-    return this.#last;
-  }
-}
-
-/** 1/|f'| at the center. @param {Canonical} solved @param {Point} center */
-function radiusOf({ map }, center) {
-  const [a, b] = map.derivative(Float64Array.from(center));
-  return 1 / Math.hypot(a, b);
 }
 
 /** What is shown over the pictures. @param {Job} job @param {Canonical} solved @returns {{ source: Over, target: Over }} */
 function overOf({ show: { grid, heat }, view, fine, center }, solved) {
   const { map, corners } = solved;
-  const field = heat ? heatOf(map, radiusOf(solved, center), corners, fine ? FINE_HEAT : DRAFT_HEAT) : null;
+  const field = heat ? heatOf(map, radiusAt(map, center), corners, fine ? FINE_HEAT : DRAFT_HEAT) : null;
   const leap = LEAP * corners.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
   const lines = grid ? diskLines(grid, fine).flatMap((line) => aroundHoles(line, solved.from(line), leap)) : [];
   return {

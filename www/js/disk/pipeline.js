@@ -22,7 +22,7 @@ import { wayBetween } from "./homotopy.js";
  * @property {Float64Array} corners
  * @property {string} path
  * @property {string[]} holes
- * @property {import("./canonical.js").Onto} onto what a region with holes becomes
+ * @property {import("../editor/store.js").Onto} onto what a region with holes becomes
  * @property {Point} center
  * @property {Point} toward
  * @property {number} tolerance of the solve
@@ -43,7 +43,7 @@ import { wayBetween } from "./homotopy.js";
  * @property {Pixels} pixels
  * @property {Frame} view
  * @property {Mesh | null} mesh region to disk; none where there are holes
- * @property {{ onto: import("./canonical.js").Onto, lines: Float64Array[] } | null} walls what holes have become
+ * @property {{ onto: import("../editor/store.js").Onto, lines: Float64Array[] } | null} walls what holes have become
  * @property {{ target: Float64Array, outline: Float64Array, center: Point, toward: Point } | null} way what is shown instead of the disk: the nodes of the mesh, the outline and the vector
  * @property {{ source: Over, target: Over }} over
  * @property {Float64Array} corners the ends of the boundary's edges

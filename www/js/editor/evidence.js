@@ -51,9 +51,11 @@ function holedRows({ errorEstimate, unknowns, facts, solveMs, warpMs }) {
 
 /**
  * The same of a map from region to region.
- * @param {PairEvidence} evidence @returns {[string, string, string][]}
+ * @param {PairEvidence | HoledEvidence} evidence @returns {[string, string, string][]}
  */
-export function pairRows({ errorEstimate, unknowns, nodes, triangles, flipped, solveMs, meshMs, warpMs }) {
+export function pairRows(evidence) {
+  if ("facts" in evidence) return holedRows(evidence);
+  const { errorEstimate, unknowns, nodes, triangles, flipped, solveMs, meshMs, warpMs } = evidence;
   return [
     ["Estimated error", power(errorEstimate), "the larger of the two maps to the disk of radius 1"],
     ["Unknowns", whole(unknowns), `for both regions, in ${time(solveMs)}`],
@@ -76,9 +78,11 @@ function flippedRow(flipped) {
 /** @param {number} ms @returns {[string, string, string]} */
 const pictureRow = (ms) => ["Picture", time(ms), "to draw, filtered so that nothing flickers"];
 
-/** What the pointer sees. @param {import("../common/probe.js").Reading | null} reading */
-export function probeWords(reading) {
-  return reading ? readingWords(reading, "photo") : "Point at either picture: the little circle stays a circle, and its cross stays square.";
+/** What the pointer sees. @param {import("../common/probe.js").Reading | null} reading @param {number} [dilatation] how much longer than wide the map makes small circles */
+export function probeWords(reading, dilatation = 1) {
+  if (dilatation === 1) return reading ? readingWords(reading, "photo") : "Point at either picture: the little circle stays a circle, and its cross stays square.";
+  if (reading) return `Here the photo is stretched ${reading.most.toFixed(2)} times one way and ${reading.least.toFixed(2)} times across it: angles are not kept.`;
+  return `Angles are not kept: the two rings differ, and every little circle becomes an ellipse ${dilatation.toFixed(2)} times as long as wide.`;
 }
 
 /** What is wrong and what to do, by the error's code. @type {Map<string, string>} */

@@ -187,6 +187,8 @@ const MIDDLE = 0.1;
 const STEPS = 40;
 const CORNERS = 100;
 const EFFORT = 2e6;
+/** Of points that differ by rounding the first is taken, on every photo the same one. */
+const EVEN = 1e-9;
 
 /**
  * A point well inside: on a grid, one far from the boundary and in the middle of it; not in one of the holes.
@@ -206,7 +208,7 @@ export function deepPoint(polygon, holes = []) {
       const away = corners.reduce((sum, corner) => sum + distance(corner, point), 0) / corners.length;
       const depth = Math.min(...[polygon, ...holes].map((outline) => nearestOnBoundary(outline, point).distance));
       const score = depth - MIDDLE * away;
-      if (score > best.score) best = { point, score };
+      if (score > best.score + EVEN * (right - left)) best = { point, score };
     }
   }
   return best.point;

@@ -2,7 +2,7 @@
 
 import { make } from "../common/menu.js";
 import { tell } from "../common/page.js";
-import { holeWords, placedOn } from "./outline-text.js";
+import { placedOn } from "./outline-text.js";
 import { readPath } from "./path.js";
 
 /** By characters: paths, of the outline and of the holes in it. @typedef {Record<string, [outline: string, ...holes: string[]]>} Letters */
@@ -21,7 +21,7 @@ function letters() {
 }
 
 /** @param {Omit<import("./outline-dialog.js").Destination, "parse">} destination @returns {() => void} asks for a letter */
-export function letterDialog({ photo, use, takesHoles = false }) {
+export function letterDialog({ photo, use }) {
   const field = make("input", { type: "text", className: "letter", maxLength: 2, autocomplete: "off", label: "A letter or a digit" });
   const refusal = make("p", { className: "refusal" });
   refusal.setAttribute("role", "alert");
@@ -49,8 +49,8 @@ export function letterDialog({ photo, use, takesHoles = false }) {
     const known = await letters();
     if (!Object.hasOwn(known, character)) return character ? `There is no outline of “${character}” here: take another letter.` : "Type a letter.";
     const [outline, ...holes] = placedOn(known[character].map(readPath), photo());
-    use(outline, takesHoles ? holes : []);
-    tell(`The letter “${character}”, its curves as they are.${takesHoles ? "" : holeWords(holes.length)}`);
+    use(outline, holes);
+    tell(`The letter “${character}”, its curves as they are.`);
     return "";
   }
   return () => {

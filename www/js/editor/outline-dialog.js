@@ -3,7 +3,7 @@
 import { make } from "../common/menu.js";
 import { remark, tell } from "../common/page.js";
 import { outlineOf } from "./outline.js";
-import { holeWords, placedOn } from "./outline-text.js";
+import { placedOn } from "./outline-text.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("./read-outline.js").OutlineAnswer} OutlineAnswer */
@@ -13,7 +13,6 @@ import { holeWords, placedOn } from "./outline-text.js";
  * @property {(text: string) => Promise<OutlineAnswer | null>} parse in a worker
  * @property {() => Frame} photo on which they are placed
  * @property {(outline: import("./outline.js").Outline, holes?: import("./outline.js").Outline[]) => void} use
- * @property {boolean} [takesHoles] where regions may have some
  */
 
 export class OutlineReader {
@@ -46,14 +45,14 @@ export class OutlineReader {
 
   /** @param {string} text @param {string} name @returns {Promise<string>} why not, or "" */
   async #use(text, name) {
-    const { parse, photo, use, takesHoles } = this.#destination;
+    const { parse, photo, use } = this.#destination;
     const found = await parse(text);
     if (!found) return "It could not be read just now: try once more.";
     if ("refusal" in found) return found.refusal;
     const { holes = [] } = found;
     const [outline, ...inner] = placedOn([outlineOf(found.outline, found.curves), ...holes], photo());
-    use(outline, takesHoles ? inner : []);
-    tell(`${name ? `“${name}”: ` : ""}${found.said}${takesHoles ? "" : holeWords(holes.length)} It is as large as the photo lets it be.`);
+    use(outline, inner);
+    tell(`${name ? `“${name}”: ` : ""}${found.said} It is as large as the photo lets it be.`);
     return "";
   }
 

@@ -30,7 +30,7 @@ export function chooseOutline(text, readCurve) {
 }
 
 /** @param {number} [holes] */
-export const holeWords = (holes) => (holes ? ` ${holes === 1 ? "A hole is" : `${holes} holes are`} left out: regions have none here.` : "");
+const holeWords = (holes) => (holes ? ` ${holes === 1 ? "A hole is" : `${holes} holes are`} left out: only SVG drawings bring theirs.` : "");
 
 const [DRAWING, PATH] = ["an SVG drawing", "the data of an SVG path"];
 

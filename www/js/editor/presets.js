@@ -96,7 +96,7 @@ export const shapes = new Map(Object.entries({
   heart: { title: "Heart", path: "M0-.85C.3-.5 .95-.15 .95 .35C.95 .65 .72 .85 .45 .85C.22 .85 .06 .7 0 .5C-.06 .7-.22 .85-.45 .85C-.72 .85-.95 .65-.95 .35C-.95-.15-.3-.5 0-.85Z" },
 }));
 
-/** The same with holes, for pages whose regions may have them. @type {Map<string, Shape & { holes: string }>} */
+/** The same with holes. @type {Map<string, Shape & { holes: string }>} */
 export const holedShapes = new Map(Object.entries({
   frame: { title: "Frame, one hole", outline: [[-0.85, -0.85], [0.85, -0.85], [0.85, 0.85], [-0.85, 0.85]], holes: "M-.4-.4L.4-.4L.4 .4L-.4 .4Z" },
   mask: {
@@ -110,9 +110,9 @@ export const holedShapes = new Map(Object.entries({
 export const READ = "read";
 export const LETTER = "letter";
 
-/** Fills a menu with all shapes. @param {HTMLSelectElement} select @param {{ holed?: boolean }} [wishes] `holed`: those with holes too */
-export function listShapes(select, { holed = false } = {}) {
-  const all = [...shapes, ...(holed ? holedShapes : [])];
+/** Fills a menu with all shapes. @param {HTMLSelectElement} select */
+export function listShapes(select) {
+  const all = [...shapes, ...holedShapes];
   select.append(...all.map(([name, { title }]) => new Option(title, name)), new Option("A letter\u200a…", LETTER), new Option("From a file or text\u200a…", READ));
 }
 

@@ -15,15 +15,16 @@ import { NOTHING_SHOWN, ONTO } from "./store.js";
 /** The fields of one drawing. */
 export const drawingSchema = {
   image: photo(knowsPicture),
-  shape: oneOf(shapes.keys()),
+  shape: oneOf([...shapes.keys(), ...holedShapes.keys()]),
   region: outline,
   path: readPath,
+  holes: readPaths,
   center: point,
   toward: point,
 };
 
-/** And what a page whose regions may have holes knows besides. */
-export const holesSchema = { shape: oneOf([...shapes.keys(), ...holedShapes.keys()]), holes: readPaths, onto: oneOf(ONTO) };
+/** And what becomes of holes. */
+export const ontoSchema = { onto: oneOf(ONTO) };
 
 /** Names of what can be shown over a drawing. */
 const LAYERS = /** @type {const} */ (["mesh", "grid", "field", "heat", "measure"]);

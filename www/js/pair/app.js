@@ -53,7 +53,7 @@ let visiting = false;
 const first = read(firstFrom, firstTo);
 const [from, to] = await Promise.all([Side.open("from", first.from, wishOutline), Side.open("to", first.to, wishOutline)]);
 /** Where outlines go. */
-const onPhoto = { photo: () => active.picture.frame, use: (/** @type {import("../editor/outline.js").Outline} */ outline) => active.useOutline(outline) };
+const onPhoto = { photo: () => active.picture.frame, use: (/** @type {Parameters<Side["useOutline"]>} */ ...drawn) => active.useOutline(...drawn) };
 const outlines = new OutlineReader({ parse: (text) => scheduler.ask({ what: "outline", text }), ...onPhoto });
 const askForLetter = letterDialog(onPhoto);
 const stores = [from.store, to.store];
@@ -66,7 +66,7 @@ const script = new URL("./worker.js", import.meta.url);
 /** @type {Scheduler<Job, Result>} */
 const scheduler = new Scheduler(script, { ...statusOfPage, onResult, failureWords });
 const probe = new Probe(from.view, to.view, () => outcome?.carrier ?? null, (reading) => {
-  element("reading").textContent = probeWords(reading);
+  element("reading").textContent = probeWords(reading, outcome?.dilatation);
 });
 
 offerEdges(element("choose-edge"), [from, to]);
@@ -165,14 +165,18 @@ function draw() {
   const { shown } = keeper;
   from.draw({ dim: DIM, heat: outcome?.heat("source", shown), over: outcome?.layers("source", shown) });
   to.draw({ dim: 0, inside: outcome?.inside, heat: outcome?.heat("target", shown), over: outcome?.layers("target", shown) });
-  showShown(outcome?.mesh === null ? ["mesh"] : []);
+  showShown(from.store.doc.region.holes ? ["mesh", "measure"] : outcome?.mesh === null ? ["mesh"] : []);
 }
 
 /** @param {Result} result @param {boolean} done */
 function onResult(result, done) {
+  const before = outcome?.dilatation;
   outcome = new Outcome(result, { carry: (side, points) => scheduler.ask({ what: "points", side, points }) });
   draw();
-  probe.refresh();
+  // What is said where nothing is pointed at is about the map too.
+  if (before !== outcome.dilatation && !probe.pinned) probe.hide();
+  else probe.refresh();
+  element("to-words").textContent = outcome.dilatation === 1 ? "filled with the first" : "filled and stretched";
   if (done) showEvidence(pairRows(result.evidence));
 }
 

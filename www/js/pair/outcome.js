@@ -10,12 +10,14 @@ import { Overlays } from "../editor/overlays.js";
 export class Outcome extends Overlays {
   mesh;
   inside;
+  dilatation;
   /** @type {Carrier} */ carrier;
 
   /** @param {Result} result @param {Carrier} worker which carries points where there is no mesh */
-  constructor({ mesh, pixels, view, over }, worker) {
+  constructor({ mesh, pixels, view, over, dilatation }, worker) {
     super(mesh, over);
     this.mesh = mesh;
+    this.dilatation = dilatation;
     this.inside = { picture: canvasOf(pixels, view.pixels), frame: view };
     this.carrier = mesh ? new Locator(mesh) : worker;
   }

@@ -1,26 +1,27 @@
 // From two drawn regions to the picture of one in the other: both maps, the joint triangulation, the warp.
 
 import { JointTriangulation, RegionMap, Texture } from "../../pkg/index.js";
-import { flatten, scaledTo, unflatten } from "../common/frame.js";
-import { arrowLines, meshEdges } from "../common/layers.js";
-import { BAND, bitmapOf } from "../common/plate.js";
+import { flatten, known, scaledTo } from "../common/frame.js";
 import { pointByPoint } from "../common/point-by-point.js";
 import { carriedHeat, DRAFT_HEAT, fenceOf, FINE_HEAT, heatOf, regionLines } from "../editor/field.js";
-import { drawnLayers, heatPixels } from "../editor/overlays.js";
+import { heatPixels } from "../editor/overlays.js";
 import { readOutline } from "../editor/read-outline.js";
 import { SolvedMap } from "../editor/solved-map.js";
+import { goesByRings } from "./holes.js";
+import { plateOf } from "./plate.js";
+import { RingImage } from "./rings.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
 /** @typedef {import("../common/probe.js").Side} Side */
-/** @typedef {import("../editor/evidence.js").PairEvidence} Evidence */
+/** @typedef {import("../editor/evidence.js").PairEvidence | import("../editor/evidence.js").HoledEvidence} Evidence */
 /** @typedef {import("../editor/locate.js").Mesh} Mesh */
 /** @typedef {import("../editor/solved-map.js").Outline} Outline */
 /** @typedef {import("../editor/solved-map.js").Solved} Solved */
 /** @typedef {{ version: number, fine: boolean, from: Outline, to: Outline, tolerance: number, maxErrorPixels: number, view: Frame, show: import("../editor/overlays.js").Wishes }} Job */
 /** @typedef {Record<Side, import("../editor/overlays.js").Over>} Over */
 /** A job whose picture is to be saved, over the second photo. @typedef {Job & { behind: import("../common/serve.js").PictureMessage }} SavedJob */
-/** Without a mesh, the picture was drawn point by point. @typedef {{ version: number, pixels: Uint8ClampedArray<ArrayBuffer>, view: Frame, mesh: Mesh | null, over: Over, evidence: Evidence }} Result */
+/** Without a mesh, the picture was drawn point by point; `dilatation`: how much longer than wide the map makes small circles. @typedef {{ version: number, pixels: Uint8ClampedArray<ArrayBuffer>, view: Frame, mesh: Mesh | null, over: Over, dilatation: number, evidence: Evidence }} Result */
 /** @typedef {import("../common/serve.js").Talk<Result>} Talk */
 /** @template {{ version: number }} J @template {{ version: number }} R @typedef {import("../common/serve.js").Pipeline<J, R>} Pipeline */
 
@@ -39,6 +40,7 @@ export class RegionsPipeline {
   #picture = null;
   #from = new SolvedMap();
   #to = new SolvedMap();
+  #rings = new RingImage();
   /** The map between both regions of the last picture. @type {RegionMap | null} */
   #between = null;
 
@@ -49,11 +51,16 @@ export class RegionsPipeline {
   }
 
   /** @param {Job} job @param {Talk} talk */
-  async run(job, talk) {
+  run(job, talk) {
     if (!this.#picture) throw new Error("There is no picture yet.");
-    const { texture, frame } = this.#picture;
-    const { view, version } = job;
+    const byRings = goesByRings(job);
     this.#forget();
+    return byRings ? this.#rings.run(job, this.#picture, talk) : this.#draw(job, this.#picture, talk);
+  }
+
+  /** @param {Job} job @param {{ texture: Texture, frame: Frame }} picture @param {Talk} talk */
+  async #draw(job, { texture, frame }, talk) {
+    const { view, version } = job;
     const from = this.#from.solve(job.from, job.tolerance, (stage, share) => talk.progress(stage, share / 3));
     const to = this.#to.solve(job.to, job.tolerance, (stage, share) => talk.progress(stage, (1 + share) / 3));
     // Also where there is a mesh: whoever draws finely may have none, and ask here.
@@ -84,7 +91,7 @@ export class RegionsPipeline {
     };
     joint?.free();
     /** @type {Result} */
-    const result = { version, pixels: /** @type {Uint8ClampedArray<ArrayBuffer>} */ (pixels), view, mesh, over, evidence };
+    const result = { version, pixels: /** @type {Uint8ClampedArray<ArrayBuffer>} */ (pixels), view, mesh, over, dilatation: 1, evidence };
     const arrays = [pixels, ...(mesh ? [mesh.source, mesh.target, mesh.triangles] : []), ...heatPixels(over)];
     return { result, transfer: arrays.map(({ buffer }) => buffer) };
   }
@@ -92,53 +99,36 @@ export class RegionsPipeline {
   /** A picture of any size over the second photo, and its lines, to be saved. @param {SavedJob} job @param {(share: number) => void} onShare @returns {Promise<import("../common/plate.js").Plate>} */
   async plate(job, onShare) {
     if (!this.#picture) throw new Error("There is no picture yet.");
-    const { texture, frame } = this.#picture;
-    const { view } = job;
+    if (goesByRings(job)) return this.#rings.plate(job, this.#picture, onShare);
     const from = this.#from.solve(job.from, job.tolerance, (_, share) => onShare(share / 3));
     const to = this.#to.solve(job.to, job.tolerance, (_, share) => onShare((1 + share) / 3));
     const joint = triangulated(from, to, job, (share) => onShare((2 + share) / 3));
     const between = RegionMap.between(from.map, to.map);
-    const edges = joint && job.show.mesh ? meshEdges(joint.triangles) : null;
-    const { source, target } = overOf({ ...job, fine: true, show: { ...job.show, heat: false } }, from, to, between, joint);
-    const heat = job.show.heat ? stretchOf(from, to, between, FINE_HEAT) : null;
-    const colours = heat && new Texture(heat.pixels, ...heat.frame.pixels);
-    const way = { view, direction: /** @type {const} */ ("push-forward"), quality: /** @type {const} */ ("best") };
-    /** @param {Outline} outline @param {Over[Side]} over @param {Float64Array | undefined} points @param {Frame} place @returns {import("../common/layers.js").Layer[]} */
-    const lines = ({ boundary, center, toward }, over, points, place) => [
-      ...drawnLayers(over, points, edges),
-      { ink: "outline", lines: [boundary], closed: true },
-      { ink: "vector", lines: arrowLines(toward, center, place) },
-    ];
-    return {
-      frame: view,
-      band: BAND,
-      draw: (rows) => (joint ?? between).warp(texture, { ...way, texture: frame, rows }),
-      tint: colours && heat && ((rows) => (joint ?? between).warp(colours, { ...way, texture: heat.frame, rows })),
-      behind: { picture: await bitmapOf(job.behind), frame: job.behind.frame },
-      panels: [
-        { name: "first", frame: scaledTo(frame, view.pixels[0]), layers: lines(job.from, source, joint?.source, frame) },
-        { name: "second", frame: view, layers: lines(job.to, target, joint?.target, view) },
-      ],
+    return plateOf(job, this.#picture, {
+      map: joint ?? between,
+      heat: job.show.heat ? stretchOf(from, to, between, FINE_HEAT) : null,
+      over: overOf({ ...job, fine: true, show: { ...job.show, heat: false } }, from, to, between, joint),
+      mesh: joint,
       free: () => {
         joint?.free();
         between.free();
-        colours?.free();
       },
-    };
+    });
   }
 
   /** An outline from text; points carried by the map itself, where there is no mesh that the page could ask. @param {{ what: "points", side: Side, points: Point[] } | import("../editor/read-outline.js").OutlineQuestion} question */
   answer(question) {
     if (question.what === "outline") return readOutline(question.text, true);
     const { side, points } = question;
+    if (!this.#between) return this.#rings.carry(side, points);
     const flat = flatten(points);
-    const images = side === "source" ? this.#between?.forward(flat) : this.#between?.inverse(flat);
-    return images ? unflatten(images).map((p) => (Number.isFinite(p[0]) ? p : null)) : null;
+    return known(side === "source" ? this.#between.forward(flat) : this.#between.inverse(flat));
   }
 
   #forget() {
     this.#between?.free();
     this.#between = null;
+    this.#rings.forget();
   }
 }
 

@@ -5,8 +5,8 @@ import { onGrid } from "../common/frame.js";
 import { addPicture, loadPicture } from "../common/images.js";
 import { element, PhotoOpener, pictureFor, wantedPicture } from "../common/page.js";
 import { PhotoChoice } from "../common/photo-choice.js";
+import { Drawing } from "../editor/drawing.js";
 import { Editor } from "../editor/edit.js";
-import { Pen } from "../editor/pen.js";
 import { PhotoView } from "../editor/photo-view.js";
 import { defaultRegion, LETTER, listShapes, READ, shapeRegion } from "../editor/presets.js";
 import { carried, makeRegion } from "../editor/region.js";
@@ -21,7 +21,7 @@ export class Side {
   view;
   editor;
   /** @type {Picture} */ picture;
-  #pen;
+  #drawing;
   #photos = new PhotoOpener();
   #photo;
   /** @type {(name: string) => HTMLElement} */ #find;
@@ -39,13 +39,7 @@ export class Side {
     this.store = store;
     this.view = new PhotoView(element(`${name}-photo`), element(`${name}-marks`), () => store.look());
     this.editor = new Editor(store, this.view);
-    this.#pen = new Pen({
-      view: this.view,
-      isActive: () => store.mode === "draw",
-      onMode: (drawing) => store.setMode(drawing ? "draw" : "edit"),
-      onOutline: (boundary) => this.useOutline({ boundary }),
-      onStroke: (outline) => this.useOutline(outline),
-    });
+    this.#drawing = new Drawing(store, this.view, (outline) => this.useOutline(outline));
     this.#photo = new PhotoChoice(/** @type {HTMLSelectElement} */ (this.#find("choose-photo")), (id) => this.#open(loadPicture(id)));
     this.#connect((kind) => wishOutline(this, kind));
     offerRepair(store, this.#find("stage"));
@@ -53,7 +47,7 @@ export class Side {
 
   /** Goes to another document. @param {Document} doc @param {number} [step] shared with the other side */
   async visit(doc, step) {
-    this.#pen.cancel();
+    this.#drawing.cancel();
     this.picture = await pictureFor(doc.image);
     this.store.commit(doc, step);
   }
@@ -66,7 +60,7 @@ export class Side {
   /** @param {Promise<Picture>} loading */
   #open(loading) {
     return this.#photos.open(loading, (picture) => {
-      this.#pen.cancel();
+      this.#drawing.cancel();
       this.picture = picture;
       this.store.commit({ image: picture.id, region: defaultRegion(picture) });
     });
@@ -92,20 +86,20 @@ export class Side {
     this.view.draw(this.picture, this.store, layers);
     const { mode, canUndo, canRedo } = this.store;
     this.#photo.show(this.picture);
-    this.#find("draw").setAttribute("aria-pressed", String(mode === "draw"));
-    this.#find("stage").dataset.mode = mode;
+    for (const what of ["draw", "hole"]) this.#find(what).setAttribute("aria-pressed", String(mode === what));
+    this.#find("stage").dataset.mode = mode === "edit" ? "edit" : "draw";
     /** @type {HTMLButtonElement} */ (this.#find("undo")).disabled = !canUndo;
     /** @type {HTMLButtonElement} */ (this.#find("redo")).disabled = !canRedo;
   }
 
-  /** Takes an outline as the region. @param {import("../editor/outline.js").Outline} outline */
-  useOutline(outline) {
-    this.#replace(makeRegion(outline));
+  /** Takes an outline as the region, and holes in it. @param {import("../editor/outline.js").Outline} outline @param {import("../editor/outline.js").Outline[]} [holes] */
+  useOutline(outline, holes) {
+    this.#replace(makeRegion(outline, undefined, undefined, holes));
   }
 
   /** @param {import("../editor/region.js").Region} region */
   #replace(region) {
-    this.#pen.cancel();
+    this.#drawing.cancel();
     this.store.commit({ region });
   }
 
@@ -119,6 +113,6 @@ export class Side {
       else this.#replace(shapeRegion(shape.value, this.picture.frame.pixels));
       shape.value = "";
     };
-    this.#find("draw").onclick = () => (store.mode === "draw" ? this.#pen.cancel() : this.#pen.begin());
+    for (const what of /** @type {const} */ (["draw", "hole"])) this.#find(what).onclick = () => this.#drawing.toggle(what);
   }
 }

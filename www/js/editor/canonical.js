@@ -1,11 +1,14 @@
 // Maps of a region with holes, and what its holes become: slits in the disk, the inner circle of a ring, or round holes.
 
 import { AnnulusMap, CircleMap, Region, SlitMap } from "../../pkg/index.js";
-import { circleLine } from "../editor/field.js";
+import { flatten } from "../common/frame.js";
+import { circleLine } from "./field.js";
+import { polygonOf } from "./outline.js";
+import { readPath } from "./path.js";
 
 /** @typedef {import("../common/serve.js").Progress} Progress */
-/** @typedef {import("../editor/region.js").Carried} Carried */
-/** What a region with holes becomes. @typedef {import("../editor/store.js").Onto} Onto */
+/** @typedef {import("./region.js").Carried} Carried */
+/** What a region with holes becomes. @typedef {import("./store.js").Onto} Onto */
 /** @typedef {{ errorEstimate: number, unknowns?: number, warp: AnnulusMap["warp"], derivative: AnnulusMap["derivative"], free(): void }} AnyMap */
 /**
  * @typedef {object} Canonical
@@ -46,8 +49,34 @@ const MAKERS = {
   },
 };
 
+/** The map of a region that is being edited: made anew where what it depends on has changed. */
+export class SolvedCanonical {
+  /** @type {(Canonical & { key: string, ms: number }) | null} */
+  #last = null;
+
+  /** The last one. */
+  get last() {
+    return this.#last;
+  }
+
+  /** The region's map; it is valid until the next call. @param {Carried} region @param {Onto} onto @param {number} tolerance @param {Progress} onProgress */
+  solve(region, onto, tolerance, onProgress) {
+    const { boundary, path, holes, center, toward } = region;
+    const key = JSON.stringify([path || [...boundary], holes, onto === "ring" ? null : center, toward, onto, tolerance]);
+    if (this.#last?.key === key) return this.#last;
+    const begin = performance.now();
+    const solved = solveCanonical(region, onto, tolerance, onProgress);
+    this.#last?.map.free();
+    this.#last = { ...solved, key, ms: performance.now() - begin };
+    return this.#last;
+  }
+}
+
+/** Holes as lines. @param {string[]} holes paths */
+export const holeLines = (holes) => holes.map((path) => flatten(polygonOf(readPath(path))));
+
 /** @param {Carried} region @param {Onto} onto @param {number} tolerance @param {Progress} onProgress @returns {Canonical} */
-export function solveCanonical({ boundary, path, holes, center, toward }, onto, tolerance, onProgress) {
+function solveCanonical({ boundary, path, holes, center, toward }, onto, tolerance, onProgress) {
   const region = new Region({ ...(path ? { path } : { boundary }), holes, center, toward });
   try {
     return { ...MAKERS[onto](region, tolerance, onProgress), corners: path ? boundary : region.boundary };
