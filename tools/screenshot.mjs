@@ -13,6 +13,8 @@ const PICTURES = [
   { name: "screenshot", address: "#show=grid", size: [1280, 745], density: 1.5 },
   { name: "flow", address: "flow.html#body=flap&angle=4", size: [1280, 720], density: 1.5, wait: 3000 },
   { name: "page-pair", address: "regions.html", size: [1280, 720], dark: true },
+  { name: "page-holes", address: "#shape=mask", size: [1280, 720] },
+  { name: "page-rings", address: "regions.html#a.holes=M.33,.05A.25,.25,0,0,1,-.17,.05A.25,.25,0,0,1,.33,.05Z&a.center=-.35,.1&a.toward=.6,.05&b.path=M.36,.5A.48,.48,0,0,1,-.6,.5A.48,.48,0,0,1,.36,.5Z&b.holes=M.16,.53A.27,.27,0,0,1,-.38,.53A.27,.27,0,0,1,.16,.53Z&b.center=-.5,.5&b.toward=.36,.5&show=grid", size: [1280, 720] },
   { name: "page-cut", address: "formula.html#f=sqrt(z%5E2-1)&colours=contours&view=0,0,4&cut=60", size: [1280, 720] },
   { name: "page-ellipses", address: "formula.html#f=z%2Bconj(z)%5E2/4&lines=ellipses&density=10&view=0,0,3&image=chelsea&wrap=mirror", size: [1280, 720], dark: true },
   { name: "page-cortex", address: "cortex.html", size: [1280, 880] },

@@ -5,9 +5,10 @@ import { flatten, known, scaledTo, unflatten } from "../common/frame.js";
 import { arrowLines } from "../common/layers.js";
 import { BAND } from "../common/plate.js";
 import { pointByPoint } from "../common/point-by-point.js";
-import { holeLines, SolvedCanonical } from "../editor/canonical.js";
+import { SolvedCanonical } from "../editor/canonical.js";
 import { carriedHeat, diskLines, DRAFT_HEAT, FINE_HEAT, heatOf, radiusAt, UNIT_CIRCLE } from "../editor/field.js";
 import { drawnLayers, heatPixels } from "../editor/overlays.js";
+import { linesOf } from "../editor/path.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -73,7 +74,7 @@ export class HoledImage {
       draw: (rows) => map.warp(texture, { ...way, texture: frame, rows }),
       tint: colours && heat && ((rows) => map.warp(colours, { ...way, texture: heat.frame, rows })),
       panels: [
-        { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...drawnLayers(source, undefined, null), { ink: "outline", lines: [corners, ...holeLines(job.holes)], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, frame) }] },
+        { name: "region", frame: scaledTo(frame, view.pixels[0]), layers: [...drawnLayers(source, undefined, null), { ink: "outline", lines: [corners, ...linesOf(job.holes)], closed: true }, { ink: "vector", lines: arrowLines(job.toward, job.center, frame) }] },
         { name: "disk", frame: view, layers: [...drawnLayers(target, undefined, null), { ink: "rim", lines: [UNIT_CIRCLE], closed: true }, { ink: "outline", lines: walls, closed: true }] },
       ],
       free: () => colours?.free(),

@@ -1,10 +1,7 @@
 // Maps of a region with holes, and what its holes become: slits in the disk, the inner circle of a ring, or round holes.
 
 import { AnnulusMap, CircleMap, Region, SlitMap } from "../../pkg/index.js";
-import { flatten } from "../common/frame.js";
 import { circleLine } from "./field.js";
-import { polygonOf } from "./outline.js";
-import { readPath } from "./path.js";
 
 /** @typedef {import("../common/serve.js").Progress} Progress */
 /** @typedef {import("./region.js").Carried} Carried */
@@ -71,9 +68,6 @@ export class SolvedCanonical {
     return this.#last;
   }
 }
-
-/** Holes as lines. @param {string[]} holes paths */
-export const holeLines = (holes) => holes.map((path) => flatten(polygonOf(readPath(path))));
 
 /** @param {Carried} region @param {Onto} onto @param {number} tolerance @param {Progress} onProgress @returns {Canonical} */
 function solveCanonical({ boundary, path, holes, center, toward }, onto, tolerance, onProgress) {

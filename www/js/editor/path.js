@@ -1,8 +1,8 @@
 // Outlines in the language of SVG's paths: in the plane, y upwards, as the package takes them; and in pixels, to be drawn.
 
-import { toPixels } from "../common/frame.js";
+import { flatten, toPixels } from "../common/frame.js";
 import { arcOfPath, radiusOf } from "./curve.js";
-import { edgeOf, outlineOf } from "./outline.js";
+import { edgeOf, outlineOf, polygonOf } from "./outline.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -112,3 +112,6 @@ function curveOf(command, v, from, to) {
       return null;
   }
 }
+
+/** Closed paths as lines: what they look like. @param {string[]} paths */
+export const linesOf = (paths) => paths.map((path) => flatten(polygonOf(readPath(path))));

@@ -9,7 +9,6 @@ import { readOutline } from "../editor/read-outline.js";
 import { SolvedMap } from "../editor/solved-map.js";
 import { goesByRings } from "./holes.js";
 import { plateOf } from "./plate.js";
-import { RingImage } from "./rings.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -40,7 +39,8 @@ export class RegionsPipeline {
   #picture = null;
   #from = new SolvedMap();
   #to = new SolvedMap();
-  #rings = new RingImage();
+  /** What goes by rings; loaded where there are holes. @type {import("./rings.js").RingImage | null} */
+  #rings = null;
   /** The map between both regions of the last picture. @type {RegionMap | null} */
   #between = null;
 
@@ -51,11 +51,11 @@ export class RegionsPipeline {
   }
 
   /** @param {Job} job @param {Talk} talk */
-  run(job, talk) {
+  async run(job, talk) {
     if (!this.#picture) throw new Error("There is no picture yet.");
     const byRings = goesByRings(job);
     this.#forget();
-    return byRings ? this.#rings.run(job, this.#picture, talk) : this.#draw(job, this.#picture, talk);
+    return byRings ? (await this.#loadRings()).run(job, this.#picture, talk) : this.#draw(job, this.#picture, talk);
   }
 
   /** @param {Job} job @param {{ texture: Texture, frame: Frame }} picture @param {Talk} talk */
@@ -99,7 +99,7 @@ export class RegionsPipeline {
   /** A picture of any size over the second photo, and its lines, to be saved. @param {SavedJob} job @param {(share: number) => void} onShare @returns {Promise<import("../common/plate.js").Plate>} */
   async plate(job, onShare) {
     if (!this.#picture) throw new Error("There is no picture yet.");
-    if (goesByRings(job)) return this.#rings.plate(job, this.#picture, onShare);
+    if (goesByRings(job)) return (await this.#loadRings()).plate(job, this.#picture, onShare);
     const from = this.#from.solve(job.from, job.tolerance, (_, share) => onShare(share / 3));
     const to = this.#to.solve(job.to, job.tolerance, (_, share) => onShare((1 + share) / 3));
     const joint = triangulated(from, to, job, (share) => onShare((2 + share) / 3));
@@ -120,7 +120,7 @@ export class RegionsPipeline {
   answer(question) {
     if (question.what === "outline") return readOutline(question.text, true);
     const { side, points } = question;
-    if (!this.#between) return this.#rings.carry(side, points);
+    if (!this.#between) return this.#rings?.carry(side, points) ?? null;
     const flat = flatten(points);
     return known(side === "source" ? this.#between.forward(flat) : this.#between.inverse(flat));
   }
@@ -128,7 +128,11 @@ export class RegionsPipeline {
   #forget() {
     this.#between?.free();
     this.#between = null;
-    this.#rings.forget();
+    this.#rings?.forget();
+  }
+
+  async #loadRings() {
+    return (this.#rings ??= new (await import("./rings.js")).RingImage());
   }
 }
 

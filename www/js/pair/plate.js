@@ -4,8 +4,8 @@ import { Texture } from "../../pkg/index.js";
 import { scaledTo } from "../common/frame.js";
 import { arrowLines, meshEdges } from "../common/layers.js";
 import { BAND, bitmapOf } from "../common/plate.js";
-import { holeLines } from "../editor/canonical.js";
 import { drawnLayers } from "../editor/overlays.js";
+import { linesOf } from "../editor/path.js";
 
 /** @typedef {import("../common/frame.js").Frame} Frame */
 /** @typedef {import("../common/probe.js").Side} Side */
@@ -25,7 +25,7 @@ export async function plateOf(job, { texture, frame }, { map, heat, over, mesh, 
   /** @param {import("../editor/solved-map.js").Outline} outline @param {Side} side @param {Frame} place @returns {import("../common/layers.js").Layer[]} */
   const lines = ({ boundary, holes, center, toward }, side, place) => [
     ...drawnLayers(over[side], mesh?.[side], edges),
-    { ink: "outline", lines: [boundary, ...holeLines(holes)], closed: true },
+    { ink: "outline", lines: [boundary, ...linesOf(holes)], closed: true },
     { ink: "vector", lines: arrowLines(toward, center, place) },
   ];
   return {

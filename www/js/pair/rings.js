@@ -101,15 +101,15 @@ function factsOf(joined) {
   const dilatation = dilatationOf(joined);
   if (dilatation === 1) {
     const both = [first, second].map((modulus) => modulus.toFixed(6)).join(" and ");
-    return [["Moduli", both, "outer radius beside the inner one, of the rings that the regions become: they agree, up to the error, so the map is conformal and keeps angles"]];
+    return [["Moduli", both, "of the two rings, outer radius to inner: they agree up to the error, so the map is conformal and keeps angles"]];
   }
   // As many as tell what is different from what would be alike.
   const digitsFor = (/** @type {number} */ difference) => Math.min(MOST_DIGITS, Math.max(DIGITS, 2 - Math.floor(Math.log10(difference))));
   const digits = digitsFor(Math.abs(first - second));
   const factor = dilatation.toFixed(digitsFor(dilatation - 1));
   return [
-    ["Moduli", `${first.toFixed(digits)} and ${second.toFixed(digits)}`, "outer radius beside the inner one, of the rings that the regions become: no conformal map changes it, so there is none between these two. Drag or resize a hole until both agree"],
-    ["Dilatation K", factor, `the first ring is stretched onto the second instead, the ratio of the logarithms of their moduli: angles are not kept, every small circle becomes an ellipse ${factor} times as long as wide. Colours of the stretch show the mean of both ways`],
+    ["Moduli", `${first.toFixed(digits)} and ${second.toFixed(digits)}`, "of the two rings, outer radius to inner: no conformal map changes it, so there is none here until a hole is made to fit"],
+    ["Dilatation K", factor, `of the stretch from ring to ring, ratio of log moduli: angles are not kept, small circles become ellipses ${factor} times as long as wide`],
   ];
 }
 
