@@ -268,3 +268,31 @@ test("letters bring their holes to both sides; links, swaps and the other page k
   assert.deepEqual(errors, []);
   await close();
 });
+
+for (const [path, side] of [["regions.html#a.shape=frame&b.shape=frame", "from-marks"], ["#shape=frame", "photo-marks"]]) {
+  test(`${path}: a hole that is dragged without a rest is followed`, async () => {
+    const { page, errors, close } = await openPage(session, path);
+    await page.evaluate(() => {
+      Object.assign(window, { pictures: 0 });
+      const { putImageData } = CanvasRenderingContext2D.prototype;
+      CanvasRenderingContext2D.prototype.putImageData = function (/** @type {any[]} */ ...all) {
+        /** @type {any} */ (window).pictures++;
+        return putImageData.apply(this, /** @type {any} */ (all));
+      };
+    });
+    const { x, y } = await middle(page.locator(`#${side} [data-part="vertex"][data-index="4"]`));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    let seen = 0;
+    const end = Date.now() + 30_000;
+    for (let n = 1; seen < 3 && Date.now() < end; n++) {
+      await page.mouse.move(x + 9 * Math.sin(n / 7), y + 9 * Math.sin(n / 9));
+      if (n % 8 === 0) seen = await page.evaluate(() => /** @type {any} */ (window).pictures);
+    }
+    await page.mouse.up();
+    assert.ok(seen >= 3, `${seen} pictures while it was dragged`);
+    await settled(page, "ready");
+    assert.deepEqual(errors, []);
+    await close();
+  });
+}

@@ -101,6 +101,7 @@ const gestures = [
   ["a handle of a Bézier curve", "#shape=heart", (page) => middle(handle(page, "handle", 0).first()), 10, 1, 30],
   ["the disk", "", middleOf("#disk"), 50, 1, 30],
   ["a corner, region to region", "regions.html", middleOf('#from-marks [data-part="vertex"]'), 10, 1, 20],
+  ["a corner of a hole", "#shape=frame", (page) => middle(handle(page, "vertex", 4)), 10, 1, 5],
   ["a corner of a hole, region to region", "regions.html#a.shape=frame&b.shape=frame", middleOf('#from-marks [data-part="vertex"][data-index="4"]'), 10, 1, 5],
   ["a slider of a formula", "formula.html", middleOf("#params input"), 25, 2, 50],
   ["a plane of a formula pushed forward", "formula.html#f=exp(z)&way=push-forward", middleOf("#target"), 30, 2, 20],

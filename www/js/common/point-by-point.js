@@ -10,7 +10,7 @@ const BAND = 16;
 /**
  * What lies on the first side of a map, on its second.
  * @param {Drawing} map @param {Texture} texture @param {Frame} frame of the texture @param {Frame} view
- * @param {(share: number) => void} onShare @param {() => Promise<void>} pause lets messages in @returns {Promise<Uint8ClampedArray<ArrayBuffer>>}
+ * @param {(share: number) => void} onShare @param {(() => Promise<void>) | null} pause lets messages in, and ends what nobody waits for; none for drafts, of which a hand that moves on shows one after the other @returns {Promise<Uint8ClampedArray<ArrayBuffer>>}
  */
 export async function pointByPoint(map, texture, frame, view, onShare, pause) {
   const [width, height] = view.pixels;
@@ -20,7 +20,7 @@ export async function pointByPoint(map, texture, frame, view, onShare, pause) {
     const band = out.subarray(4 * width * row, 4 * width * end);
     map.warp(texture, { texture: frame, view, direction: "push-forward", quality: "trilinear", out: band, rows: [row, end] });
     onShare(end / height);
-    await pause();
+    if (pause) await pause();
   }
   return out;
 }

@@ -32,7 +32,7 @@ export class HoledImage {
     const solved = this.#solved.solve(job, job.onto, job.tolerance, (stage, share) => progress(stage, 0.7 * share));
     const { map, walls, facts, ms } = solved;
     const begin = performance.now();
-    const pixels = await pointByPoint(map, texture, frame, view, (share) => progress("picture", 0.7 + 0.3 * share), pause);
+    const pixels = await pointByPoint(map, texture, frame, view, (share) => progress("picture", 0.7 + 0.3 * share), job.fine ? pause : null);
     const warpMs = performance.now() - begin;
     const over = overOf(job, solved);
     const images = unflatten(solved.to(given));

@@ -73,7 +73,7 @@ export class RegionsPipeline {
     if (joint) {
       pixels = joint.warp(texture, { texture: frame, view, direction: "push-forward", quality: "trilinear" });
     } else {
-      pixels = await pointByPoint(this.#between, texture, frame, view, (share) => talk.progress("picture", (2 + share) / 3), talk.pause);
+      pixels = await pointByPoint(this.#between, texture, frame, view, (share) => talk.progress("picture", (2 + share) / 3), job.fine ? talk.pause : null);
     }
     const warped = performance.now();
     const over = overOf(job, from, to, this.#between, joint);

@@ -34,7 +34,7 @@ export class RingImage {
     const { from, to, between } = joined;
     this.#between = between;
     const begin = performance.now();
-    const pixels = await pointByPoint(between, texture, frame, job.view, (share) => progress("picture", 1 - DRAWING * (1 - share)), pause);
+    const pixels = await pointByPoint(between, texture, frame, job.view, (share) => progress("picture", 1 - DRAWING * (1 - share)), job.fine ? pause : null);
     const warpMs = performance.now() - begin;
     const over = overOf(job, joined);
     /** @type {Result} */
