@@ -2,9 +2,9 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { ringLines } from "../../www/js/editor/field.js";
 import { deepPoint } from "../../www/js/editor/geometry.js";
 import { goesByRings } from "../../www/js/pair/holes.js";
+import { ringLines } from "../../www/js/pair/ring-lines.js";
 import { pixelsOf, saved } from "./support/files.mjs";
 import { drag, middle, openPage, quarters, screenshot, settled, startBrowser, toggle } from "./support/page.mjs";
 

@@ -4,9 +4,10 @@ import { RegionMap } from "../../pkg/index.js";
 import { flatten, known, scaledTo } from "../common/frame.js";
 import { pointByPoint } from "../common/point-by-point.js";
 import { SolvedCanonical } from "../editor/canonical.js";
-import { carriedHeat, DRAFT_HEAT, FINE_HEAT, heatOf, radiusAt, ringLines } from "../editor/field.js";
+import { carriedHeat, DRAFT_HEAT, FINE_HEAT, heatOf, radiusAt } from "../editor/field.js";
 import { heatPixels } from "../editor/overlays.js";
 import { plateOf } from "./plate.js";
+import { ringLines } from "./ring-lines.js";
 
 /** @typedef {import("../../pkg/index.js").AnnulusMap} AnnulusMap */
 /** @typedef {import("../common/frame.js").Point} Point */
