@@ -91,6 +91,47 @@ test("a drag turns the wind, specks move, and every body of the list is drawn", 
   await close();
 });
 
+test("a vortex is put into the fluid, dragged, turned over and removed, and the address keeps it", async () => {
+  const { page, errors, close } = await openPage(session, "flow.html#body=wing&angle=6&show=pressure,lines");
+  const alone = await circulation(page);
+  await page.locator("#vortex").click();
+  await page.waitForFunction(() => location.hash.includes("vortices=-1.9,0.7,2"));
+  await settled(page, "ready");
+  const beside = await circulation(page);
+  assert.ok(Math.abs(beside - alone) > 0.05, `${beside} with a vortex, ${alone} without: the edge asks for another circulation`);
+  // 6 m of the plane across.
+  const from = await at(page, 0.5 - 1.9 / 6, 0.5 - 0.7 / 3.6);
+  await drag(page, from, await at(page, 0.5 + 1.8 / 6, 0.5 - 1.2 / 3.6));
+  await page.waitForFunction(() => /vortices=1\.(7|8)\d*,1\.(1|2)\d*,2/.test(location.hash));
+  await settled(page, "ready");
+  await page.locator('#flow[data-lines="traced"]').waitFor();
+  await screenshot(page, "flow-vortex");
+  const behind = await circulation(page);
+  assert.notEqual(behind, beside);
+  await page.reload();
+  await settled(page, "ready");
+  assert.equal(await circulation(page), behind, "the address keeps it");
+  const there = await at(page, 0.5 + 1.8 / 6, 0.5 - 1.2 / 3.6);
+  await page.mouse.dblclick(there.x, there.y);
+  await page.waitForFunction(() => /vortices=[^&]*,-2/.test(location.hash));
+  await settled(page, "ready");
+  assert.ok(Math.abs(await circulation(page) - alone + (behind - alone)) < 0.03, "the other way around it asks for as much less");
+  await page.mouse.click(there.x, there.y);
+  await page.keyboard.press("Delete");
+  await page.waitForFunction(() => !location.hash.includes("vortices"));
+  await settled(page, "ready");
+  assert.equal(await circulation(page), alone);
+  await page.locator("#vortex").click();
+  await page.waitForFunction(() => location.hash.includes("vortices=-1.9,0.7,2"));
+  await settled(page, "ready");
+  await page.waitForFunction(() => document.getElementById("reading")?.textContent?.includes("around what is in the wind"));
+  assert.doesNotMatch(await reading(page), /lift/, "beside a vortex that is not the circulation's");
+  await drag(page, from, await at(page, 0.5, 1.03));
+  await page.waitForFunction(() => !location.hash.includes("vortices"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("a body of 60 vertices is dragged through the wind, and traced when it keeps still", async (context) => {
   const outline = Array.from({ length: 60 }, (_, k) => {
     const [t, r] = [(Math.PI * k) / 30, 0.8 * (1 + 0.15 * Math.sin((3 * Math.PI * k) / 30))];
@@ -164,6 +205,7 @@ for (const [address, words] of /** @type {const} */ ([
   ["flow.html#body=toString", /“body=toString” must be one of wing/],
   ["flow.html#angle=900", /“angle=900” must be from -30 to 30/],
   ["flow.html#outline=1,2;3", /must be 3 to 400 points/],
+  ["flow.html#vortices=1,2", /must be 1 to 6 of x,y,circulation/],
 ])) {
   test(`${address}: said in words, and the rest is drawn`, async () => {
     const { page, errors, close } = await openPage(session, address);

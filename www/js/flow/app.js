@@ -6,12 +6,13 @@ import { Particles } from "./particles.js";
 import { restingPoints } from "./resting.js";
 import { offerScene } from "./save-scene.js";
 import { readState, writeState } from "./state.js";
+import { moved, nearest, remaining, withOne } from "./vortices.js";
 import { FlowView, levelsOf } from "./view.js";
 import { Wind } from "./wind.js";
 import { offerAlone } from "../common/alone.js";
 import { goAlong } from "../common/along.js";
 import { Courier } from "../common/courier.js";
-import { toPlane } from "../common/frame.js";
+import { scaleOf, toPlane } from "../common/frame.js";
 import { onEscape } from "../common/keys.js";
 import { isStill } from "../common/motion.js";
 import { attempt, element, press, remark, showEvidence, statusOfPage, tell, watchErrors } from "../common/page.js";
@@ -54,6 +55,8 @@ let lastOwn = state.own;
 let owners = new Uint8Array();
 /** @type {Point[] | null} */
 let stroke = null;
+/** The vortex that was touched last. @type {number | null} */
+let chosen = null;
 
 /** @param {number} columns @returns {Frame} */
 function grid(columns) {
@@ -64,14 +67,14 @@ const shownBodies = () => state.own ?? /** @type {Bodies} */ (ready.get(state.bo
 
 /** Computes the basic flows, first on a coarse grid. */
 function solve() {
-  const bodies = shownBodies();
+  const [bodies, { vortices }] = [shownBodies(), state];
   statusOfPage.onState(wind ? "working" : "loading");
   statusOfPage.onProgress("begun");
   /** @type {(on: Frame, last: boolean) => Promise<void>} */
   const ask = (on, last) =>
-    courier.ask("basis", { what: "basis", bodies, grid: on }).then(
+    courier.ask("basis", { what: "basis", bodies, vortices, grid: on }).then(
       (/** @type {Basis | null} */ found) => {
-        if (!found || bodies !== shownBodies()) return;
+        if (!found || bodies !== shownBodies() || vortices !== state.vortices) return;
         basis = found;
         wind = new Wind(on, found);
         owners = ownersOf(wind, bodies.outlines);
@@ -129,7 +132,8 @@ function trace(of) {
 function draw() {
   if (!wind) return;
   const outlines = stroke ? [] : shownBodies().outlines;
-  view.draw(wind, outlines, state, particles.specks.map(({ trail }) => trail), stroke ? [] : resting, stroke ?? undefined);
+  const vortices = stroke ? [] : state.vortices.map(({ at, circulation }, k) => ({ at, turns: /** @type {1 | -1} */ (circulation < 0 ? -1 : 1), chosen: k === chosen }));
+  view.draw(wind, outlines, state, particles.specks.map(({ trail }) => trail), stroke ? [] : resting, vortices, stroke ?? undefined);
 }
 
 /** What is read off the flow. */
@@ -138,7 +142,9 @@ function read() {
   const total = wind.circulation.reduce((sum, each) => sum + each, 0);
   const lift = -total;
   const way = Math.abs(lift) < 0.005 ? "no lift" : `lift ${signed(lift * AIR)} N a metre of span`;
-  element("reading").textContent = `Circulation ${signed(total)} m²/s: ${way}, in air at 1 m/s. The fluid rests at the yellow points.`;
+  // Beside a vortex the lift is not the circulation alone.
+  const says = state.vortices.length ? " around what is in the wind" : `: ${way}, in air at 1 m/s`;
+  element("reading").textContent = `Circulation ${signed(total)} m²/s${says}. The fluid rests at the yellow points.`;
   const slider = /** @type {HTMLInputElement} */ (element("circulation"));
   if (state.kutta && wind.canLeave) slider.value = String(total / wind.circulation.length);
   /** @type {HTMLButtonElement} */ (element("kutta")).disabled = !wind.canLeave;
@@ -168,6 +174,8 @@ function remember() {
 /** @param {Partial<typeof state>} change @param {boolean} [anew] whether the bodies are others */
 function change(change, anew = false) {
   state = { ...state, ...change };
+  if (change.own || change.body) state.vortices = remaining(state.vortices, shownBodies().outlines);
+  if (chosen !== null && chosen >= state.vortices.length) chosen = null;
   remember();
   controls();
   if (anew) solve();
@@ -201,6 +209,26 @@ element("angle").addEventListener("input", (event) => change({ angle: /** @type 
 element("circulation").addEventListener("input", (event) => change({ circulation: /** @type {HTMLInputElement} */ (event.target).valueAsNumber }));
 element("kutta").addEventListener("click", () => change({ kutta: !state.kutta, circulation: /** @type {HTMLInputElement} */ (element("circulation")).valueAsNumber }));
 for (const name of /** @type {const} */ (["pressure", "lines", "specks"])) element(name).addEventListener("click", () => change({ [name]: !state[name] }));
+element("vortex").addEventListener("click", () => {
+  const vortices = withOne(state.vortices, shownBodies().outlines);
+  if (!vortices) return remark("There is no room for another vortex: drag one away, or remove one with Delete.");
+  chosen = vortices.length - 1;
+  change({ vortices }, true);
+});
+window.addEventListener("keydown", (event) => {
+  if (chosen === null || event.defaultPrevented || !["Delete", "Backspace"].includes(event.key)) return;
+  remove(chosen);
+});
+/** @param {number} vortex */
+function remove(vortex) {
+  chosen = null;
+  change({ vortices: state.vortices.filter((_, k) => k !== vortex) }, true);
+}
+canvas.addEventListener("dblclick", (event) => {
+  const touched = nearest(state.vortices, pointAt(event), grasp());
+  if (touched === null || stroke) return;
+  change({ vortices: state.vortices.map((each, k) => (k === touched ? { ...each, circulation: -each.circulation } : each)) }, true);
+});
 offerScene({ name: "flow", drawing: "streamlines and bodies", canvas, view, address: () => writeState(state) });
 offerAlone(draw);
 goAlong(() => ({}));
@@ -254,7 +282,10 @@ element("draw").addEventListener("click", () => {
   draw();
 });
 
-/** @param {PointerEvent} event */
+/** How near a vortex the pointer grasps it, in the plane. */
+const grasp = () => 16 / scaleOf({ ...PLANE, pixels: [canvas.clientWidth, canvas.clientHeight] });
+
+/** @param {MouseEvent} event */
 function pointAt(event) {
   const { width, height } = canvas.getBoundingClientRect();
   return toPlane({ ...PLANE, pixels: [width, height] }, pixelOf(canvas, event));
@@ -262,25 +293,39 @@ function pointAt(event) {
 
 /** The wind's angle when a drag began, and where that was: up and to the right it rises. @type {{ angle: number, at: number } | null} */
 let turning = null;
+/** The vortex that follows the pointer. @type {number | null} */
+let dragged = null;
 
 canvas.addEventListener("pointerdown", (event) => {
   if (event.button !== 0) return;
   canvas.setPointerCapture(event.pointerId);
-  if (stroke) stroke = [pointAt(event)];
-  else turning = { angle: state.angle, at: event.clientX - event.clientY };
+  if (stroke) {
+    stroke = [pointAt(event)];
+    return;
+  }
+  const before = chosen;
+  chosen = nearest(state.vortices, pointAt(event), grasp());
+  dragged = chosen;
+  if (chosen !== before) draw();
+  if (chosen === null) turning = { angle: state.angle, at: event.clientX - event.clientY };
 });
 canvas.addEventListener("pointermove", (event) => {
   if (!canvas.hasPointerCapture(event.pointerId)) return;
   if (stroke) {
     stroke.push(pointAt(event));
     draw();
+  } else if (dragged !== null) {
+    const vortices = moved(state.vortices, dragged, pointAt(event), shownBodies().outlines);
+    if (vortices) change({ vortices }, true);
   } else if (turning) {
     const angle = Math.max(-30, Math.min(30, turning.angle + (event.clientX - event.clientY - turning.at) * 0.1));
     change({ angle: Math.round(angle * 10) / 10 });
   }
 });
-canvas.addEventListener("pointerup", () => {
+canvas.addEventListener("pointerup", (event) => {
   turning = null;
+  if (dragged !== null && document.elementFromPoint(event.clientX, event.clientY) !== canvas) remove(dragged);
+  dragged = null;
   if (!stroke || stroke.length < 3) return;
   const outline = simplify(stroke, 0.015).slice(0, 200);
   stroke = [];

@@ -19,6 +19,7 @@ import { toPixels } from "../common/frame.js";
  * @property {Body[]} bodies
  * @property {{ text: string, at: Point }[]} words
  * @property {Point[]} rests where the fluid rests
+ * @property {{ at: Point, turns: 1 | -1, chosen: boolean }[]} [vortices] counter-clockwise, or the other way
  * @property {Strokes[]} over what is drawn by hand
  */
 
@@ -69,7 +70,8 @@ export function drawBodies({ context, frame, density }, { palette, bodies, words
 }
 
 /** @param {Drawing} drawing @param {Scene} scene */
-export function drawMarks({ context, frame, density }, { rests }) {
+export function drawMarks({ context, frame, density }, { rests, palette, vortices = [] }) {
+  for (const each of vortices) drawVortex(context, toPixels(frame, each.at), density, palette, each);
   Object.assign(context, { fillStyle: "#ffc62e", strokeStyle: "#5f4300", lineWidth: 1.2 * density });
   for (const point of rests) {
     context.beginPath();
@@ -77,6 +79,31 @@ export function drawMarks({ context, frame, density }, { rests }) {
     context.fill();
     context.stroke();
   }
+}
+
+/**
+ * A disk with an arrow most of the way around.
+ * @param {Drawing["context"]} context @param {Point} at in pixels @param {number} density @param {Palette} palette
+ * @param {{ turns: 1 | -1, chosen: boolean }} vortex
+ */
+function drawVortex(context, [x, y], density, palette, { turns, chosen }) {
+  const [radius, arrow, head] = [10 * density, 5.5 * density, 4 * density];
+  Object.assign(context, { fillStyle: palette.paper, strokeStyle: chosen ? palette.accent : palette.ink, lineWidth: (chosen ? 2.4 : 1.4) * density, lineCap: "round", lineJoin: "round" });
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+  // Angles grow clockwise on the screen.
+  const end = 0.9 * turns;
+  const [tipX, tipY] = [x + arrow * Math.cos(end), y + arrow * Math.sin(end)];
+  const back = end + (turns * Math.PI) / 2;
+  context.beginPath();
+  context.arc(x, y, arrow, 0, end, turns > 0);
+  for (const side of [-0.7, 0.7]) {
+    context.moveTo(tipX, tipY);
+    context.lineTo(tipX + head * Math.cos(back + side), tipY + head * Math.sin(back + side));
+  }
+  context.stroke();
 }
 
 /** @param {Drawing} drawing @param {Frame} grid @param {Palette} palette @param {Strokes} strokes */

@@ -1,6 +1,7 @@
 // What the page of flows shows, and its place in the address.
 
 import { bodies as ready, bodyOf } from "./bodies.js";
+import { readVortices, remaining, writeVortices } from "./vortices.js";
 import { between, oneOf, readAddress, someOf, wrongWords } from "../common/address.js";
 
 /** @typedef {import("../common/frame.js").Point} Point */
@@ -11,13 +12,14 @@ import { between, oneOf, readAddress, someOf, wrongWords } from "../common/addre
  * @property {number} angle of the wind, in degrees
  * @property {boolean} kutta whether the fluid leaves at the trailing corners
  * @property {number} circulation around each body, if it does not
+ * @property {import("./vortices.js").Vortex[]} vortices
  * @property {boolean} pressure
  * @property {boolean} lines
  * @property {boolean} specks
  */
 
 /** @type {State} */
-const FIRST = { body: "wing", own: null, angle: 6, kutta: true, circulation: 0, pressure: true, lines: true, specks: true };
+const FIRST = { body: "wing", own: null, angle: 6, kutta: true, circulation: 0, vortices: [], pressure: true, lines: true, specks: true };
 
 /** What is drawn beside the bodies. */
 const LAYERS = /** @type {const} */ (["pressure", "lines", "specks"]);
@@ -27,6 +29,7 @@ const SCHEMA = {
   angle: between(-30, 30),
   circulation: between(-8, 8),
   show: someOf(LAYERS),
+  vortices: readVortices,
   /** @param {string} text @returns {Point[]} */
   outline: (text) => {
     const points = text.split(";").map((pair) => pair.split(",").map(Number));
@@ -48,6 +51,7 @@ export function readState(hash) {
     angle: values.angle ?? FIRST.angle,
     kutta: edge && values.circulation === undefined,
     circulation: values.circulation ?? 0,
+    vortices: remaining(values.vortices ?? [], (own ?? /** @type {import("./bodies.js").Bodies} */ (ready.get(body))).outlines),
     pressure: shown.includes("pressure"),
     lines: shown.includes("lines"),
     specks: shown.includes("specks"),
@@ -56,9 +60,10 @@ export function readState(hash) {
 }
 
 /** @param {State} state */
-export function writeState({ body, own, angle, kutta, circulation, ...shown }) {
+export function writeState({ body, own, angle, kutta, circulation, vortices, ...shown }) {
   const parts = [own ? `outline=${own.outlines[0].map(([x, y]) => `${x.toFixed(3)},${y.toFixed(3)}`).join(";")}` : `body=${body}`, `angle=${angle}`];
   if (!kutta) parts.push(`circulation=${circulation}`);
+  if (vortices.length) parts.push(`vortices=${writeVortices(vortices)}`);
   const names = LAYERS.filter((name) => shown[name]);
   if (names.length < LAYERS.length) parts.push(`show=${names.join(",")}`);
   return parts.join("&");

@@ -45,9 +45,10 @@ export class FlowView {
 
   /**
    * @param {Wind} wind @param {Point[][]} outlines @param {Shown} shown @param {Point[][]} trails @param {Point[]} rests where the fluid rests
+   * @param {import("./scene.js").Scene["vortices"]} vortices
    * @param {Point[]} [sketch] what is being drawn
    */
-  draw({ grid }, outlines, shown, trails, rests, sketch) {
+  draw({ grid }, outlines, shown, trails, rests, vortices, sketch) {
     const colours = palette();
     /** @type {import("./scene.js").Strokes[]} */
     const strokes = shown.lines ? [{ ...(this.#lines ? { lines: this.#lines } : { lines: [], pieces: this.#pieces }), width: 1.1, opacity: 0.5 }] : [];
@@ -62,6 +63,7 @@ export class FlowView {
       bodies: outlines.map((outline) => ({ outline, filled: true })),
       words: [],
       rests,
+      vortices,
       over: sketch ? [{ lines: [sketch], width: 2.5, opacity: 1, colour: colours.accent }] : [],
     };
     this.#sheet.draw(this.scene);

@@ -27,8 +27,8 @@ export class Wind extends GridField {
   turn(angle, circulation, bodyAt) {
     const { flows, kutta } = this.#basis;
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
-    this.circulation = circulation === "kutta" ? (kutta?.[0] ?? []).map((x, k) => c * x + s * (kutta?.[1][k] ?? 0)) : circulation;
-    const weights = [c, s, ...this.circulation];
+    this.circulation = circulation === "kutta" ? (kutta?.[0] ?? []).map((x, k) => c * x + s * (kutta?.[1][k] ?? 0) + (kutta?.[2][k] ?? 0)) : circulation;
+    const weights = [c, s, ...this.circulation, 1];
     const { values } = this;
     values.fill(0);
     flows.forEach((flow, j) => {
