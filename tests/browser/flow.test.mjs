@@ -132,6 +132,30 @@ test("a vortex is put into the fluid, dragged, turned over and removed, and the 
   await close();
 });
 
+test("vortices are moved, turned over, chosen and removed by keys", async () => {
+  const { page, errors, close } = await openPage(session, "flow.html#body=wing&angle=6&show=pressure,lines");
+  await page.locator("#vortex").focus();
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => location.hash.includes("vortices=-1.9,0.7,2"));
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("-");
+  await page.waitForFunction(() => location.hash.includes("vortices=-1.95,0.75,-2"));
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => location.hash.includes("vortices=-1.95,0.75,-2;"));
+  await page.keyboard.press("v");
+  await page.keyboard.press("Delete");
+  await page.waitForFunction(() => /vortices=[^;&]+,2(&|$)/.test(location.hash), null, { timeout: 5000 });
+  // A slider has the arrows to itself.
+  const before = await page.evaluate(() => location.hash.match(/vortices=[^&]+/)?.[0]);
+  await page.locator("#angle").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() => !/angle=6(&|$)/.test(location.hash));
+  assert.equal(await page.evaluate(() => location.hash.match(/vortices=[^&]+/)?.[0]), before);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("a body of 60 vertices is dragged through the wind, and traced when it keeps still", async (context) => {
   const outline = Array.from({ length: 60 }, (_, k) => {
     const [t, r] = [(Math.PI * k) / 30, 0.8 * (1 + 0.15 * Math.sin((3 * Math.PI * k) / 30))];

@@ -13,7 +13,7 @@ import { offerAlone } from "../common/alone.js";
 import { goAlong } from "../common/along.js";
 import { Courier } from "../common/courier.js";
 import { scaleOf, toPlane } from "../common/frame.js";
-import { onEscape } from "../common/keys.js";
+import { ARROWS, onEscape } from "../common/keys.js";
 import { isStill } from "../common/motion.js";
 import { attempt, element, press, remark, showEvidence, statusOfPage, tell, watchErrors } from "../common/page.js";
 import { isState, openState } from "../common/saved-state.js";
@@ -32,6 +32,8 @@ const canvas = /** @type {HTMLCanvasElement} */ (element("flow"));
 const view = new FlowView(canvas);
 const particles = new Particles();
 
+/** An arrow key moves a vortex by this. */
+const KEY_STEP = 0.05;
 /** The part of the plane that is shown. @type {{ center: Point, width: number }} */
 const PLANE = { center: [0, 0], width: 6 };
 /** Grids for a first picture and for the best one. */
@@ -216,9 +218,29 @@ element("vortex").addEventListener("click", () => {
   change({ vortices }, true);
 });
 window.addEventListener("keydown", (event) => {
-  if (chosen === null || event.defaultPrevented || !["Delete", "Backspace"].includes(event.key)) return;
-  remove(chosen);
+  const { vortices } = state;
+  const isTaken = event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey;
+  if (isTaken || !vortices.length || (event.target instanceof Element && event.target.matches("input, select, textarea, [role=menu] *"))) return;
+  const step = ARROWS.get(event.key);
+  if (event.key.toLowerCase() === "v") {
+    chosen = chosen === null ? 0 : (chosen + 1) % vortices.length;
+    draw();
+  } else if (chosen === null) return;
+  else if (["Delete", "Backspace"].includes(event.key)) remove(chosen);
+  else if (event.key === "-") turnOver(chosen);
+  else if (step) move(chosen, [0, 1].map((k) => vortices[/** @type {number} */ (chosen)].at[k] + KEY_STEP * step[k]));
+  else return;
+  event.preventDefault();
 });
+/** @param {number} vortex @param {number[]} to */
+function move(vortex, to) {
+  const vortices = moved(state.vortices, vortex, /** @type {Point} */ (to), shownBodies().outlines);
+  if (vortices) change({ vortices }, true);
+}
+/** @param {number} vortex */
+function turnOver(vortex) {
+  change({ vortices: state.vortices.map((each, k) => (k === vortex ? { ...each, circulation: -each.circulation } : each)) }, true);
+}
 /** @param {number} vortex */
 function remove(vortex) {
   chosen = null;
@@ -226,8 +248,7 @@ function remove(vortex) {
 }
 canvas.addEventListener("dblclick", (event) => {
   const touched = nearest(state.vortices, pointAt(event), grasp());
-  if (touched === null || stroke) return;
-  change({ vortices: state.vortices.map((each, k) => (k === touched ? { ...each, circulation: -each.circulation } : each)) }, true);
+  if (touched !== null && !stroke) turnOver(touched);
 });
 offerScene({ name: "flow", drawing: "streamlines and bodies", canvas, view, address: () => writeState(state) });
 offerAlone(draw);
@@ -315,8 +336,7 @@ canvas.addEventListener("pointermove", (event) => {
     stroke.push(pointAt(event));
     draw();
   } else if (dragged !== null) {
-    const vortices = moved(state.vortices, dragged, pointAt(event), shownBodies().outlines);
-    if (vortices) change({ vortices }, true);
+    move(dragged, pointAt(event));
   } else if (turning) {
     const angle = Math.max(-30, Math.min(30, turning.angle + (event.clientX - event.clientY - turning.at) * 0.1));
     change({ angle: Math.round(angle * 10) / 10 });
