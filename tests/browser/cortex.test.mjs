@@ -224,6 +224,21 @@ test("an outline is drawn, read from text and turned by its landmark", async () 
   await close();
 });
 
+test("drafts of a moving eye are as fine as the machine keeps up with", async () => {
+  const { page, close } = await openPage(session, "cortex.html");
+  const shares = await page.evaluate(async () => {
+    const { Pace } = await import(new URL("js/cortex/pace.js", location.href).href);
+    const pace = new Pace();
+    return [12, 30, 30, 30, 12, 3].map((ms) => {
+      // One that made a new map is no rule.
+      for (const each of [ms, ms, 400, ms]) pace.took(each);
+      return pace.share;
+    });
+  });
+  assert.deepEqual(shares, [1, 0.8, 0.64, 0.64, 0.64, 0.8]);
+  await close();
+});
+
 test("the camera is seen live", async () => {
   const { page, errors, close } = await openCortex("#lines=0");
   await page.locator("#camera").click();

@@ -17,6 +17,7 @@ import { pixelOf } from "../common/svg.js";
 import { Camera } from "./camera.js";
 import { aspectOf, NO_HALF } from "./layout.js";
 import { isOutline, MEASURED, models, ownOutline } from "./models.js";
+import { Pace } from "./pace.js";
 import { CortexPanel } from "./panel.js";
 import { hortonHoyt, plotMagnification } from "./plot.js";
 import { eccentricities } from "./plot-range.js";
@@ -55,6 +56,7 @@ let visiting = false;
 /** Counts the places that were asked about: an answer to an older one is late. */
 let places = 0;
 
+const pace = new Pace();
 const seen = new SeenView(element("seen"), element("seen-marks"), () => refresh(true));
 const script = new URL("./worker.js", import.meta.url);
 /** @type {Scheduler<Job, Result>} */
@@ -135,7 +137,8 @@ function layOut() {
 }
 
 /** @param {import("../common/scheduler.js").Care} care @returns {Omit<Job, "version" | "fine">} */
-function jobOf({ sharpness }) {
+function jobOf({ sharpness: wanted }) {
+  const sharpness = wanted < 1 ? wanted * pace.share : wanted;
   const { models: chosen, shear, own, landmarks, fieldOfView, fixation, dots, lines, circles } = store.value;
   const live = camera?.frame() ?? null;
   const [columns] = panels[0].view.grid(live ? 1 : sharpness);
@@ -146,6 +149,7 @@ function jobOf({ sharpness }) {
 /** @param {Result} newest @param {boolean} done */
 function onResult(newest, done) {
   result = newest;
+  if (!newest.fine && !camera) pace.took(newest.warpMs);
   const state = store.value;
   layOut();
   newest.panels.forEach((panel, k) => panels[k].show(panel, newest.sizes[k], newest.half, state));
