@@ -1,5 +1,6 @@
 //! One simple closed curve: a polygon, a smooth curve through the same points, or a chain of curved edges.
 
+use super::lie::Lie;
 use super::polygon::ON_BOUNDARY;
 use super::{BoundaryPoint, Complex64, CurvedOutline, Edge, Polygon, SmoothCurve};
 use crate::{Error, Result};
@@ -189,6 +190,18 @@ impl Contour {
             Shape::Straight => self.polygon.nearest_within(z, self.thickness),
             Shape::Smooth(_) => Some(self.nearest(z)).filter(|place| (place.point - z).norm() <= self.thickness),
             Shape::Curved(outline) => outline.on_edge(z),
+        }
+    }
+
+    /// Where `z` lies: what [`Contour::on_curve`] and [`Contour::contains`] say, in one look.
+    pub fn lie(&self, z: Complex64) -> Lie {
+        match &self.shape {
+            Shape::Smooth(curve) => curve.lie(z, self.thickness),
+            _ => match self.on_curve(z) {
+                Some(place) => Lie::On(place),
+                None if self.contains(z) => Lie::Inside,
+                None => Lie::Outside,
+            },
         }
     }
 

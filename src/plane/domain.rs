@@ -1,6 +1,7 @@
 //! Regions with holes, and the outside of bodies.
 
 use super::contour::{Contour, Curve};
+use super::lie::Lie;
 use super::region::Region;
 use super::{BoundaryPoint, Complex64, Edge, Polygon};
 use crate::{Error, Result};
@@ -216,6 +217,20 @@ impl Domain {
     pub(crate) fn on_boundary(&self, z: Complex64) -> Option<DomainPoint> {
         let on = |(component, contour): (usize, &Contour)| Some(DomainPoint { component, place: contour.on_curve(z)? });
         self.contours.iter().enumerate().find_map(on)
+    }
+
+    /// What [`Domain::on_boundary`] and [`Domain::contains`] say, in one look: `None` outside, and inside the point of the boundary
+    /// that `z` is, if it is one.
+    pub(crate) fn lie(&self, z: Complex64) -> Option<Option<DomainPoint>> {
+        let mut is_inside = z.is_finite();
+        for (component, contour) in self.contours.iter().enumerate() {
+            match contour.lie(z) {
+                Lie::On(place) => return Some(Some(DomainPoint { component, place })),
+                Lie::Inside => is_inside &= self.bounded && component == 0,
+                Lie::Outside => is_inside &= !(self.bounded && component == 0),
+            }
+        }
+        is_inside.then_some(None)
     }
 
     /// The point of the boundary nearest to `z`.

@@ -1,6 +1,7 @@
 //! Smooth closed curves through given points, by trigonometric interpolation.
 
 use super::fourier::{sum_of_waves, transform};
+use super::lie::Lie;
 use super::polygon::{ON_BOUNDARY, origin_of};
 use super::{BoundaryPoint, Complex64, Polygon};
 use crate::{Error, Result};
@@ -41,6 +42,12 @@ const NOISE: f64 = 8.0 * f64::EPSILON;
 const SLOWEST: f64 = 0.75;
 /// The sum of the waves beyond the last is at most this times what their fall predicts.
 const DOUBT: f64 = 2.0;
+/// Newton's method for the nearest point takes so many steps at most,
+const MOST_STEPS: usize = 8;
+/// and after one this small, in radians, there is nothing left to do.
+const SETTLED: f64 = 1e-10;
+/// Farther from the curve than this share of its size over the number of samples, the sampled outline tells inside from outside.
+const FAR: f64 = 0.8;
 /// A curve that the points leave open by more than this share of its size is not known well enough to cross itself.
 const UNKNOWN: f64 = 1e-5;
 
@@ -188,21 +195,47 @@ impl SmoothCurve {
     /// nearest point of the outline.
     #[must_use]
     pub fn nearest_parameter(&self, z: Complex64) -> f64 {
-        let start = self.outline.nearest(z);
+        self.parameter_near(z, self.outline.nearest(z))
+    }
+
+    /// The same from the nearest point of the outline.
+    fn parameter_near(&self, z: Complex64, start: BoundaryPoint) -> f64 {
         let step = TAU / self.outline.len() as f64;
         let first = (start.edge as f64 + start.t) * step;
         let mut t = first;
-        for _ in 0..8 {
-            let (gap, tangent) = (self.point(t) - z, self.tangent(t));
-            let bend = evaluate(&self.coefficients, self.highest, t, 2);
+        for _ in 0..MOST_STEPS {
+            let [point, tangent, bend] = jet(&self.coefficients, self.highest, t);
+            let gap = self.origin + point - z;
             let slope = tangent.norm_sqr() + (gap * bend.conj()).re;
             let newton = -(gap * tangent.conj()).re / slope;
             if !newton.is_finite() || slope <= 0.0 {
                 break;
             }
             t = (t + newton).clamp(first - step, first + step);
+            if newton.abs() < SETTLED {
+                break;
+            }
         }
         t.rem_euclid(TAU)
+    }
+
+    /// Whether `z` lies inside, outside, or on the curve, as near to it as `thickness`.
+    #[must_use]
+    pub(crate) fn lie(&self, z: Complex64, thickness: f64) -> Lie {
+        let start = self.outline.nearest(z);
+        let is_far = (start.point - z).norm() > FAR * self.outline.size() / self.outline.len() as f64;
+        let inside = if is_far {
+            self.outline.contains(z)
+        } else {
+            let t = self.parameter_near(z, start);
+            let [point, tangent, _] = jet(&self.coefficients, self.highest, t);
+            let gap = z - self.origin - point;
+            if gap.norm() <= thickness {
+                return Lie::On(self.place(t));
+            }
+            (gap * tangent.conj()).im >= 0.0
+        };
+        if inside { Lie::Inside } else { Lie::Outside }
     }
 
     /// Distance from the curve in plane units, positive inside, as precise as rounding allows near it.
@@ -215,7 +248,7 @@ impl SmoothCurve {
         let (gap, tangent) = (z - self.point(t), self.tangent(t));
         let across = (gap * tangent.conj()).im / tangent.norm();
         // Far from the curve the sampled outline decides, whatever Newton's method found.
-        let inside = if across.abs() < 0.8 * self.outline.size() / self.outline.len() as f64 {
+        let inside = if across.abs() < FAR * self.outline.size() / self.outline.len() as f64 {
             across >= 0.0
         } else {
             self.outline.contains(z)
@@ -257,6 +290,21 @@ fn outline_of(coefficients: &[Complex64], origin: Complex64) -> Result<Polygon> 
         spectrum[(samples + index - highest) % samples] = *c;
     }
     Polygon::new(&sum_of_waves(&spectrum).iter().map(|z| origin + z).collect::<Vec<_>>())
+}
+
+/// Σ cₖ e^{ikt} and its first two derivatives.
+fn jet(coefficients: &[Complex64], highest: i32, t: f64) -> [Complex64; 3] {
+    let (turn, i) = (Complex64::cis(t), Complex64::i());
+    let [mut value, mut slope, mut bend] = [Complex64::ZERO; 3];
+    for (index, c) in coefficients.iter().enumerate().rev() {
+        let wave = f64::from(index as i32 - highest);
+        let along = i * c * wave;
+        value = value * turn + c;
+        slope = slope * turn + along;
+        bend = bend * turn + i * along * wave;
+    }
+    let back = Complex64::cis(-f64::from(highest) * t);
+    [value * back, slope * back, bend * back]
 }
 
 /// The derivative of the given order of Σ cₖ e^{ikt}, by Horner's rule in e^{it}.

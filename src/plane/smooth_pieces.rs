@@ -1,5 +1,6 @@
 //! A smooth curve as a chain of edges, for boundaries of which other components have edges and corners.
 
+use super::polygon::origin_of;
 use super::{Complex64, Edge, SmoothCurve};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
@@ -22,14 +23,16 @@ use std::f64::consts::TAU;
 /// # Errors
 /// Those of [`SmoothCurve::new`]; [`Error::InvalidOutline`] where the curve turns back on itself.
 pub fn smooth_edges(points: &[Complex64]) -> Result<Vec<Edge>> {
-    let curve = SmoothCurve::new(points)?;
+    // Far from 0 coordinates have not the digits that pieces are fitted to.
+    let origin = if points.iter().all(|z| z.is_finite()) { origin_of(points) } else { Complex64::ZERO };
+    let curve = SmoothCurve::new(&points.iter().map(|z| z - origin).collect::<Vec<_>>())?;
     let pieces = FEWEST.max(2 * curve.waves());
     let share = TAU / pieces as f64;
     let mut edges = Vec::new();
     for k in 0..pieces {
         add(&curve, [k as f64 * share, (k + 1) as f64 * share], DEEPEST, &mut edges)?;
     }
-    Ok(edges)
+    Ok(edges.iter().map(|edge| edge.moved(origin)).collect())
 }
 
 /// The largest distance of a piece from the curve, as a share of the curve's size.
@@ -147,8 +150,9 @@ mod tests {
                     assert!(curve.signed_distance(z).abs() < 3e-13 * size, "{n}: {:e}", curve.signed_distance(z));
                 }
             }
-            assert!((0..edges.len()).all(|k| (outline.alpha(k) - 1.0).abs() < 1e-12), "no corners");
-            assert_eq!(edges[0].from(), curve.points()[0]);
+            let turn = |k: usize| (outline.alpha(k) - 1.0).abs();
+            assert!((0..edges.len()).all(|k| turn(k) < 1e-12 * points[0].norm()), "no corners");
+            assert!((edges[0].from() - curve.points()[0]).norm() < 1e-15 * points[0].norm());
         }
     }
 }

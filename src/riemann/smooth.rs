@@ -4,7 +4,7 @@ use super::atlas::DiskPoint;
 use super::rounding::{is_on_circle, is_outside_disk, onto_disk};
 use super::solved_region::{Evidence, SolvedRegion};
 use crate::Result;
-use crate::plane::{BoundaryPoint, Complex64, Region};
+use crate::plane::{BoundaryPoint, Complex64, Lie, Region};
 use crate::stored::{Reader, Writer};
 use crate::symm::options::{Progress, SolveOptions};
 use crate::symm::smooth::{SmoothSolution, solve_smooth};
@@ -92,14 +92,11 @@ impl SolvedRegion for SolvedCurve {
 
     fn to_disk_with_slope(&self, z: Complex64) -> Option<(DiskPoint, Complex64)> {
         let z = z - self.origin;
-        if let Some(place) = self.region.on_boundary(z) {
-            let (w, slope) = self.solution.on_circle(self.solution.curve().parameter(place));
-            return Some((DiskPoint::flat(onto_disk(w)), slope));
-        }
-        if !self.region.contains(z) {
-            return None;
-        }
-        let (w, slope) = self.solution.to_disk(z);
+        let (w, slope) = match self.region.contour().lie(z) {
+            Lie::On(place) => self.solution.on_circle(self.solution.curve().parameter(place)),
+            Lie::Inside => self.solution.to_disk(z),
+            Lie::Outside => return None,
+        };
         Some((DiskPoint::flat(onto_disk(w)), slope))
     }
 

@@ -108,11 +108,13 @@ impl DomainField {
     /// (B, B') at a point; `None` outside the closed domain. B' is by plane units.
     #[must_use]
     pub fn at(&self, z: Complex64) -> Option<(Complex64, Complex64)> {
-        if let Some(point) = self.domain.on_boundary(z) {
-            let (value, slope) = self.on_boundary(point);
-            return Some((value + self.turn(point), slope));
-        }
-        self.domain.contains(z).then(|| self.directly(z))
+        Some(match self.domain.lie(z)? {
+            Some(point) => {
+                let (value, slope) = self.on_boundary(point);
+                (value + self.turn(point), slope)
+            }
+            None => self.directly(z),
+        })
     }
 
     /// [`DomainField::at`] by power series where they serve: the same within the accuracy of the solve, but for the branch of B.
