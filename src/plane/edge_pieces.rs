@@ -365,8 +365,9 @@ fn may_meet(pieces: &[Piece], first: usize, second: usize) -> bool {
     distance <= a.sagitta + b.sagitta
 }
 
+/// How far a point is from the straight way between two others, which may be one.
 #[inline(never)]
-fn distance_to_segment(z: Complex64, a: Complex64, b: Complex64) -> f64 {
+pub(crate) fn distance_to_segment(z: Complex64, a: Complex64, b: Complex64) -> f64 {
     let t = (((z - a) * (b - a).conj()).re / (b - a).norm_sqr()).clamp(0.0, 1.0);
     (z - a - (b - a) * if t.is_nan() { 0.0 } else { t }).norm()
 }

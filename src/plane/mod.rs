@@ -32,6 +32,7 @@ pub use curved_outline::CurvedOutline;
 pub use domain::Domain;
 pub(crate) use domain::DomainPoint;
 pub use edge::Edge;
+pub(crate) use edge_pieces::distance_to_segment;
 pub(crate) use edge_tree::EdgeTree;
 pub use elliptic_arc::{ArcTo, EllipticArc};
 pub use frame::Frame;

@@ -165,13 +165,28 @@ impl SmoothCurve {
     /// Parameter → curve: z(t), 2π-periodic in t.
     #[must_use]
     pub fn point(&self, t: f64) -> Complex64 {
-        self.origin + evaluate(&self.coefficients, self.highest, t, 0)
+        self.origin + self.jet(t)[0]
     }
 
     /// The derivative z'(t), which points along the curve.
     #[must_use]
     pub fn tangent(&self, t: f64) -> Complex64 {
-        evaluate(&self.coefficients, self.highest, t, 1)
+        self.jet(t)[1]
+    }
+
+    /// Σ cₖ e^{ikt}, of z − `origin`, and its first two derivatives, by Horner's rule in e^{it}.
+    fn jet(&self, t: f64) -> [Complex64; 3] {
+        let (turn, i) = (Complex64::cis(t), Complex64::i());
+        let [mut value, mut slope, mut bend] = [Complex64::ZERO; 3];
+        for (index, c) in self.coefficients.iter().enumerate().rev() {
+            let wave = f64::from(index as i32 - self.highest);
+            let along = i * c * wave;
+            value = value * turn + c;
+            slope = slope * turn + along;
+            bend = bend * turn + i * along * wave;
+        }
+        let back = Complex64::cis(-f64::from(self.highest) * t);
+        [value * back, slope * back, bend * back]
     }
 
     /// Place between two given points → parameter t in [0, 2π].
@@ -204,7 +219,7 @@ impl SmoothCurve {
         let first = (start.edge as f64 + start.t) * step;
         let mut t = first;
         for _ in 0..MOST_STEPS {
-            let [point, tangent, bend] = jet(&self.coefficients, self.highest, t);
+            let [point, tangent, bend] = self.jet(t);
             let gap = self.origin + point - z;
             let slope = tangent.norm_sqr() + (gap * bend.conj()).re;
             let newton = -(gap * tangent.conj()).re / slope;
@@ -228,7 +243,7 @@ impl SmoothCurve {
             self.outline.contains(z)
         } else {
             let t = self.parameter_near(z, start);
-            let [point, tangent, _] = jet(&self.coefficients, self.highest, t);
+            let [point, tangent, _] = self.jet(t);
             let gap = z - self.origin - point;
             if gap.norm() <= thickness {
                 return Lie::On(self.place(t));
@@ -290,30 +305,6 @@ fn outline_of(coefficients: &[Complex64], origin: Complex64) -> Result<Polygon> 
         spectrum[(samples + index - highest) % samples] = *c;
     }
     Polygon::new(&sum_of_waves(&spectrum).iter().map(|z| origin + z).collect::<Vec<_>>())
-}
-
-/// Σ cₖ e^{ikt} and its first two derivatives.
-fn jet(coefficients: &[Complex64], highest: i32, t: f64) -> [Complex64; 3] {
-    let (turn, i) = (Complex64::cis(t), Complex64::i());
-    let [mut value, mut slope, mut bend] = [Complex64::ZERO; 3];
-    for (index, c) in coefficients.iter().enumerate().rev() {
-        let wave = f64::from(index as i32 - highest);
-        let along = i * c * wave;
-        value = value * turn + c;
-        slope = slope * turn + along;
-        bend = bend * turn + i * along * wave;
-    }
-    let back = Complex64::cis(-f64::from(highest) * t);
-    [value * back, slope * back, bend * back]
-}
-
-/// The derivative of the given order of Σ cₖ e^{ikt}, by Horner's rule in e^{it}.
-fn evaluate(coefficients: &[Complex64], highest: i32, t: f64, order: i32) -> Complex64 {
-    let turn = Complex64::cis(t);
-    let wave_factor = |index: usize| Complex64::new(0.0, f64::from(index as i32 - highest)).powi(order);
-    let terms = coefficients.iter().enumerate().rev();
-    let sum = terms.fold(Complex64::ZERO, |sum, (index, c)| sum * turn + c * wave_factor(index));
-    sum * Complex64::cis(-f64::from(highest) * t)
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ import { goesByRings } from "../../www/js/pair/holes.js";
 import { ringLines } from "../../www/js/pair/ring-lines.js";
 import { pixelsOf, saved } from "./support/files.mjs";
 import { drag, middle, openPage, quarters, screenshot, settled, startBrowser, toggle } from "./support/page.mjs";
+import { picture } from "./support/pair.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("../../www/js/common/frame.js").Point} Point */
@@ -28,20 +29,6 @@ async function placeOf(page, side, [x, y]) {
   const box = await page.locator(`#${side}-photo`).boundingBox();
   assert.ok(box);
   return { x: box.x + ((x + 1) / 2) * box.width, y: box.y + ((1 - y) / 2) * box.height };
-}
-
-/** The right picture at places of its plane, and a sum over all of it. @param {Page} page @param {Point[]} [points] */
-function picture(page, points = []) {
-  return page.evaluate((wanted) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("to-photo"));
-    const { width, height } = canvas;
-    const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(0, 0, width, height);
-    const samples = wanted.map(([x, y]) => {
-      const at = 4 * (Math.floor(((1 - y) / 2) * height) * width + Math.floor(((1 + x) / 2) * width));
-      return [...data.slice(at, at + 4)];
-    });
-    return { digest: data.reduce((sum, value) => (Math.imul(sum, 31) + value) | 0, 0), samples };
-  }, points);
 }
 
 /** Where the middle of the probe's mark is on a side, in its plane. @param {Page} page @param {"from" | "to"} side @returns {Promise<Point>} */

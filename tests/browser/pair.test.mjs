@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { drag, middle, openPage, quarters, screenshot, settled, startBrowser, toggle } from "./support/page.mjs";
+import { picture } from "./support/pair.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -19,25 +20,6 @@ const openRegions = (hash = "", options = {}) => openPage(session, `regions.html
 /** A handle of one of the two regions. @param {Page} page @param {"from" | "to"} side @param {string} part @param {number} [index] */
 const handle = (page, side, part, index) =>
   page.locator(`#${side}-marks [data-part="${part}"]${index === undefined ? "" : `[data-index="${index}"]`}`);
-
-/**
- * The right picture at places of its plane, and a sum over all of it.
- *
- * @param {Page} page
- * @param {[number, number][]} [points] of a square photo, [−1, 1] across
- */
-function picture(page, points = []) {
-  return page.evaluate((wanted) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("to-photo"));
-    const { width, height } = canvas;
-    const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(0, 0, width, height);
-    const samples = wanted.map(([x, y]) => {
-      const at = 4 * (Math.floor(((1 - y) / 2) * height) * width + Math.floor(((1 + x) / 2) * width));
-      return [...data.slice(at, at + 4)];
-    });
-    return { digest: data.reduce((sum, value) => (Math.imul(sum, 31) + value) | 0, 0), samples };
-  }, points);
-}
 
 /** @param {Page} page @param {"from" | "to"} side @param {{ name: string, mimeType: string, buffer: Buffer }} file */
 async function openFile(page, side, file) {

@@ -1,6 +1,6 @@
 //! The slits of a canonical region, as the way back has to go around them.
 
-use crate::plane::Complex64;
+use crate::plane::{Complex64, distance_to_segment};
 use std::f64::consts::TAU;
 
 /// Straight slits in the plane of keys. What lies on two sides of one has keys that are near, and nothing else in common; but the
@@ -36,15 +36,17 @@ impl Barriers {
         }
         let (low, high) = (from.im.min(to.im), from.im.max(to.im));
         let blur = self.blur;
-        self.copies(low, high)
-            .any(|slit| distance_from(slit, from) < blur || crosses(slit, [from, to]) && distance_from(slit, to) > blur)
+        self.copies(low, high).any(|[a, b]| {
+            distance_to_segment(from, a, b) < blur
+                || crosses([a, b], [from, to]) && distance_to_segment(to, a, b) > blur
+        })
     }
 
     /// How far a key is from the nearest slit.
     #[must_use]
     pub fn distance(&self, key: Complex64, at_most: f64) -> f64 {
         let near = self.copies(key.im - at_most, key.im + at_most);
-        near.map(|slit| distance_from(slit, key)).fold(at_most, f64::min)
+        near.map(|[a, b]| distance_to_segment(key, a, b)).fold(at_most, f64::min)
     }
 
     /// The slits that have imaginary parts between these, all copies of each.
@@ -68,13 +70,6 @@ fn crosses([a, b]: [Complex64; 2], [from, to]: [Complex64; 2]) -> bool {
     let across = cross(slit, way);
     let (along_way, along_slit) = (cross(a - from, slit) / -across, cross(a - from, way) / -across);
     (0.0..=1.0).contains(&along_way) && (0.0..=1.0).contains(&along_slit)
-}
-
-fn distance_from([a, b]: [Complex64; 2], key: Complex64) -> f64 {
-    let slit = b - a;
-    let along = ((key - a) * slit.conj()).re / slit.norm_sqr();
-    let along = if along.is_nan() { 0.0 } else { along.clamp(0.0, 1.0) };
-    (key - a - slit * along).norm()
 }
 
 #[cfg(test)]

@@ -44,7 +44,7 @@ impl FlowPoints {
                     let expected = "of finite circulations and strengths";
                     return Err(Error::InvalidOption { name, expected, value: amount });
                 }
-                if !domain.contains(at) || domain.on_boundary(at).is_some() {
+                if domain.lie(at) != Some(None) {
                     return Err(Error::PointOutside { what, index, at });
                 }
             }

@@ -3,7 +3,7 @@
 
 use super::super::polyline::TURN;
 use super::field::DomainField;
-use crate::plane::Complex64;
+use crate::plane::{Complex64, distance_to_segment};
 use rustc_hash::FxHashSet;
 use std::f64::consts::TAU;
 
@@ -304,7 +304,7 @@ impl<'a> Lattice<'a> {
                     }
                     let first = line.points[0];
                     let closes = line.points.len() > 3
-                        && distance_from_segment(first, z, next) <= 0.05 * length.min((next - z).norm())
+                        && distance_to_segment(first, z, next) <= 0.05 * length.min((next - z).norm())
                         && (direction(next_slope) * (line.points[1] - first).conj()).re > 0.0;
                     if closes {
                         line.closed = true;
@@ -331,7 +331,7 @@ impl<'a> Lattice<'a> {
     fn end_between(&self, from: Complex64, to: Complex64) -> Option<Complex64> {
         let near = |end: &Complex64| {
             let is_ahead = ((end - from) * (to - from).conj()).re > 0.0;
-            is_ahead && distance_from_segment(*end, from, to) <= CIRCLE * self.cell
+            is_ahead && distance_to_segment(*end, from, to) <= CIRCLE * self.cell
         };
         self.ends.iter().copied().find(near)
     }
@@ -391,7 +391,7 @@ impl<'a> Lattice<'a> {
     fn holds(&self, line: &LevelLine, point: Complex64) -> bool {
         // A piece turns by little, so that its line is near.
         const NEAR: f64 = 0.03;
-        let near = |a: Complex64, b: Complex64| distance_from_segment(point, a, b) <= NEAR * self.cell;
+        let near = |a: Complex64, b: Complex64| distance_to_segment(point, a, b) <= NEAR * self.cell;
         let joined = line.closed && near(line.points[line.points.len() - 1], line.points[0]);
         joined || line.points.windows(2).any(|pair| near(pair[0], pair[1]))
     }
@@ -465,10 +465,4 @@ impl<'a> Lattice<'a> {
         }
         Some(z)
     }
-}
-
-fn distance_from_segment(z: Complex64, a: Complex64, b: Complex64) -> f64 {
-    let along = b - a;
-    let share = ((z - a) * along.conj()).re / along.norm_sqr();
-    (z - a - along * share.clamp(0.0, 1.0)).norm()
 }
